@@ -1,0 +1,46 @@
+#pragma once
+// The ground as a tiled raster: for each cell when it was raked and when it was rolled over. Tiles are made when first touched, so
+// memory follows the drawing, not the field.
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "math/geometry/geometry.hpp"
+
+namespace strandline {
+
+/// One cell's history. Times are any increasing count (metres driven, sample index); `never` until touched.
+struct Cell {
+    static constexpr float never = -1;
+    float first_raked = never, last_raked = never, last_rolled = never;
+    std::uint16_t passes = 0;      ///< rakings more than `pass_gap` apart
+    std::int16_t element = -1;     ///< element of the last raking
+};
+
+/// A raster with cells of `cell` metres; cell (i, j) covers [i, i+1) x [j, j+1) times `cell`.
+class Ground {
+  public:
+    static constexpr int tile_size = 64;
+    explicit Ground(double cell_size);
+    double cell_size() const { return cell_; }
+    Cell& at(int i, int j);                   ///< makes the tile when missing
+    const Cell* find(int i, int j) const;     ///< nullptr where nothing was touched
+    std::size_t tiles() const { return tiles_.size(); }
+    Point centre(int i, int j) const { return {(i + 0.5) * cell_, (j + 0.5) * cell_}; }
+    int index(double coordinate) const;
+    /// Every touched tile's cells, in a fixed order (by row, then column).
+    void visit(const std::function<void(int, int, const Cell&)>& what) const;
+
+  private:
+    double cell_;
+    std::unordered_map<std::uint64_t, std::unique_ptr<Cell[]>> tiles_;
+};
+
+/// Calls with each cell whose centre lies in the convex polygon. O(cells).
+void for_cells_in(const Ground& ground, const Polygon& convex, const std::function<void(int, int)>& what);
+/// The bar that sweeps from segment a0-b0 to a1-b1: its convex hull, as counter-clockwise corners.
+Polygon swept_bar(Point a0, Point b0, Point a1, Point b1);
+
+}  // namespace strandline

@@ -1,0 +1,58 @@
+#pragma once
+// The stroke: the hinge between what to draw (before it) and how to drive (after it). Values only.
+#include <string>
+#include <vector>
+
+#include "machine/follow/follow.hpp"
+#include "math/curve/curve.hpp"
+
+namespace strandline {
+
+/// A place where a stroke may be entered, or a link may be tied. `s`: arc length along the rake path.
+struct Node {
+    double s = 0;
+    Point at;
+    int drawn = -1;  ///< number of the node in the drawing's own path, -1 for one we added
+    bool operator==(const Node&) const = default;
+};
+
+/// One go of the rake: down at its start, up at its end.
+struct Stroke {
+    int element = -1;             ///< index in the drawing
+    std::vector<Curve> rake_path; ///< smooth curves end to end; corners between them
+    bool closed = false;          ///< ends where it starts: may be entered at any node
+    bool one_way = false;         ///< only in the direction given (fills)
+    bool fill = false;            ///< part of a region's fill: corners are rounded inside
+    int pins = 1;                 ///< pins down, centred
+    std::vector<Node> nodes;      ///< ascending s; open strokes: both ends at least; closed: the seam not repeated
+    bool operator==(const Stroke&) const = default;
+};
+double length(const Stroke& stroke);
+
+/// Strokes that belong together and keep their order: a single line, or the fill of a region.
+struct StrokeGroup {
+    int element = -1;
+    std::vector<Stroke> strokes;
+};
+
+/// How a stroke is gone through.
+struct Entry {
+    int stroke = -1;       ///< index into the plan's strokes
+    int node = 0;          ///< where it is entered
+    bool reversed = false;
+    bool operator==(const Entry&) const = default;
+};
+
+/// The stroke's rake path as driven: begun at the entry's node and turned about when reversed. O(pieces).
+std::vector<Curve> rake_path_from(const Stroke& stroke, int node, bool reversed);
+
+/// A piece of the robot path with one kind of motion.
+struct Leg {
+    Motion motion = Motion::connect;
+    int stroke = -1;    ///< stroke drawn or about to be drawn; -1 for connect
+    RobotPath path;     ///< pivot: two states at one place
+    Curve curve;        ///< connect and loop: the exact clothoids; else empty
+    bool operator==(const Leg&) const = default;
+};
+
+}  // namespace strandline

@@ -1,0 +1,32 @@
+#pragma once
+// Plan and stage values <-> text. Reads and writes strings only; the apps do files.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/outcome/outcome.hpp"
+#include "plan/model/model.hpp"
+
+namespace strandline::formats {
+
+/// Versioned plan file (docs/plan-format.md). What is written, read back, is the same plan, bit for bit.
+std::string write_plan(const Plan& plan);
+/// Error: not JSON (line, column), not a plan, another version, a field missing or of the wrong kind (its JSON pointer), NaN.
+Outcome<Plan> read_plan(std::string_view text, const std::string& place);
+
+/// The pair of 2014: NAME_robot.txt and NAME_rake.txt. Line i of both is the same instant: "x y mask"; metres, y up, origin lower left.
+/// A turn on the spot is one line with 128; the last line has 129.
+struct BeachbotPair {
+    std::string robot, rake;
+};
+BeachbotPair write_beachbot(const Plan& plan);
+/// Input of the trace judges: targets, draw and travel moves of the rake path, or of the robot path.
+std::string write_trace(const Plan& plan, bool robot_path);
+/// SVG: rake down black at true width, rake up red with arrows, start dot, legend. `picture width` in px.
+std::string write_svg(const Plan& plan);
+/// s, t, x, y, heading, curvature, v, omega, pins, rake x, y: a line a sample.
+std::string write_csv(const Plan& plan);
+/// Figures as JSON for --json.
+std::string write_figures(const Plan& plan);
+
+}  // namespace strandline::formats
