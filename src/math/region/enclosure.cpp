@@ -16,7 +16,7 @@ void for_rings(const Regions& regions, const auto& what) {
     }
 }
 
-/// One past of a polyline, grown piece by piece; whether it is inside is known.
+/// The piece goes on where the last one ended, or begins a new part.
 void extend(std::vector<Polyline>& parts, bool fresh, Point from, Point to) {
     if (fresh) parts.push_back({from});
     parts.back().push_back(to);
