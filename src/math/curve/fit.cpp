@@ -20,6 +20,8 @@ constexpr double margin = 0.7;
 /// A loop would pass for a near miss if the headings were not compared as well (radians).
 constexpr double heading_slack = 0.6;
 constexpr int deepest = 24;
+/// A span shorter than this share of the tolerance may run anyhow: no feature of it can be seen.
+constexpr double speck_share = 0.1;
 /// Share of the tolerance by which a curve's integrated points may leave their places on the path.
 constexpr double drift_share = 0.1;
 
@@ -63,11 +65,12 @@ bool keeps_to(const Span& span, const Curve& curve, double tolerance) {
     double sum = 0;
     for (std::size_t i = 0; i < samples; ++i) {
         const double share = static_cast<double>(i + 1) / samples;
-        jets[i] = segments::jet(span.from, *span.segment, span.t0 + share * (span.t1 - span.t0));
+        jets[i] = segments::jet(span.from, span.segment, span.t0 + share * (span.t1 - span.t0));
         arcs[i] = sum += distance(last, jets[i].at);
         last = jets[i].at;
     }
     if (sum <= 0 || piece.length > 2 * sum + tolerance) return false;
+    if (sum <= speck_share * tolerance) return piece.length <= 4 * sum;
     double foot_before = 0;
     for (std::size_t i = 0; i + 1 < samples; ++i) {
         double s = arcs[i] / sum * piece.length;
@@ -126,7 +129,7 @@ void lay(const Span& span, bool own0, bool own1, double tolerance, int depth, La
     if (span.exact && own0 && own1) {
         const double share = span.t1 - span.t0;
         const double whole =
-            span.line ? chord : std::abs(std::get<ArcSegment>(*span.segment).sweep * share / span.curvature);
+            span.line ? chord : std::abs(std::get<ArcSegment>(span.segment).sweep * share / span.curvature);
         layer.add(a.at, a.heading, {whole, span.curvature, 0}, b.at);
         return;
     }
@@ -145,7 +148,7 @@ void lay(const Span& span, bool own0, bool own1, double tolerance, int depth, La
         return;
     }
     const double t = (span.t0 + span.t1) / 2;
-    const segments::Jet middle = segments::jet(span.from, *span.segment, t);
+    const segments::Jet middle = segments::jet(span.from, span.segment, t);
     const double own = length(middle.velocity) > 0 ? heading(middle.velocity) : heading(b.at - a.at);
     Span first = span, second = span;
     first.t1 = second.t0 = t;

@@ -11,8 +11,8 @@ namespace strandline::fit {
 /// P(t) for t in [t0, t1] of one segment. heading0/1: the path's own one-sided tangents at first; where two
 /// spans meet smoothly the shared heading is put in their place.
 struct Span {
-    Point from;  ///< where the segment starts
-    const Segment* segment;
+    Point from;       ///< where the segment starts
+    Segment segment;  ///< handles too short to have a direction are drawn in
     double t0, t1;
     Point p0, p1;
     double heading0, heading1;

@@ -67,19 +67,29 @@ bool is_cusp(Point from, const Segment& segment, double t, double tolerance) {
            speed <= 1e-9 * extent(from, segment);
 }
 
+/// Handles too short to have a direction drawn in to their ends: the curve moves by half of that at most.
+Segment without_specks(Point from, const Segment& segment, double tolerance) {
+    Segment clean = segment;
+    if (auto* c = std::get_if<CubicSegment>(&clean)) {
+        const double apart = std::min(tolerance / 100, 1e-3 * extent(from, segment));
+        if (distance(from, c->control1) <= apart) c->control1 = from;
+        if (distance(c->to, c->control2) <= apart) c->control2 = c->to;
+    }
+    return clean;
+}
+
 /// One-sided direction of a cubic's end: of the first control point that lies apart from it.
-double end_heading(Point end, Point a, Point b, Point c, double apart) {
+double end_heading(Point end, Point a, Point b, Point c) {
     for (Point p : {a, b})
-        if (distance(end, p) > apart) return heading(p - end);
+        if (p != end) return heading(p - end);
     return heading(c - end);
 }
 
 /// Heading just after (side 1) or just before (side -1) t.
-double side_heading(Point from, const Segment& segment, double t, int side, bool cusp, double tolerance) {
+double side_heading(Point from, const Segment& segment, double t, int side, bool cusp) {
     if (const auto* c = std::get_if<CubicSegment>(&segment); c && (t == 0 || t == 1)) {
-        const double apart = std::min(tolerance / 100, 1e-3 * extent(from, segment));
-        return t == 0 ? end_heading(from, c->control1, c->control2, c->to, apart)
-                      : end_heading(c->to, c->control2, c->control1, from, apart) + pi;
+        return t == 0 ? end_heading(from, c->control1, c->control2, c->to)
+                      : end_heading(c->to, c->control2, c->control1, from) + pi;
     }
     const Jet j = segments::jet(from, segment, t);
     if (cusp && length(j.acceleration) > 0) return heading(side * j.acceleration);
@@ -90,14 +100,14 @@ double side_heading(Point from, const Segment& segment, double t, int side, bool
 void add_line(std::vector<Span>& spans, const Segment& segment, Point from) {
     const Point to = end_of(segment);
     const double direction = heading(to - from);
-    spans.push_back({from, &segment, 0, 1, from, to, direction, direction, 0, true, true});
+    spans.push_back({from, segment, 0, 1, from, to, direction, direction, 0, true, true});
 }
 
 void add_circular_arc(std::vector<Span>& spans, const Segment& segment, const ArcSegment& arc, Point from) {
     const double sense = cross(arc.u, arc.v) * arc.sweep > 0 ? 1 : -1;
     const auto tangent = [&](double t) { return heading(segments::jet(from, segment, t).velocity); };
     spans.push_back(
-        {from, &segment, 0, 1, from, arc.to, tangent(0), tangent(1), sense / length(arc.u), true, false});
+        {from, segment, 0, 1, from, arc.to, tangent(0), tangent(1), sense / length(arc.u), true, false});
 }
 
 bool is_circular(const ArcSegment& arc) {
@@ -105,17 +115,17 @@ bool is_circular(const ArcSegment& arc) {
     return std::abs(a - b) <= 1e-9 * a && std::abs(dot(arc.u, arc.v)) <= 1e-9 * a;
 }
 
-void add_curved(std::vector<Span>& spans, const Segment& segment, Point from, double tolerance) {
+void add_curved(std::vector<Span>& spans, const Segment& drawn, Point from, double tolerance) {
+    const Segment segment = without_specks(from, drawn, tolerance);
     std::vector<double> cuts{0};
     for (double t : slowest(from, segment))
         if (t > 1e-6 && t < 1 - 1e-6 && is_cusp(from, segment, t, tolerance)) cuts.push_back(t);
     cuts.push_back(1);
     for (std::size_t i = 1; i < cuts.size(); ++i) {
         const double a = cuts[i - 1], b = cuts[i];
-        spans.push_back(
-            {from, &segment, a, b, segments::point(from, segment, a), segments::point(from, segment, b),
-             side_heading(from, segment, a, 1, i > 1, tolerance),
-             side_heading(from, segment, b, -1, i + 1 < cuts.size(), tolerance), 0, false, false});
+        spans.push_back({from, segment, a, b, segments::point(from, segment, a),
+                         segments::point(from, segment, b), side_heading(from, segment, a, 1, i > 1),
+                         side_heading(from, segment, b, -1, i + 1 < cuts.size()), 0, false, false});
     }
 }
 
