@@ -64,6 +64,15 @@ TEST(Connect, BoundedNeverTurnsOnTheSpotAndKeepsTheLimits) {
     }
 }
 
+TEST(Connect, ARobotThatCanTurnOnTheSpotDoesSoWhereAnEndIsTooTight) {
+    const CurvatureState tight{{{4, 6}, 1}, 3};
+    const Connection c = connection(here, tight, {.limits = {0.5, 10}, .pivot = true});
+    EXPECT_NEAR(length(c.curve), 5, 1e-12);
+    expect_arrives(c, here.pose, tight.pose);
+    const CurvatureState gentle{{{4, 6}, 1}, 2};
+    EXPECT_EQ(connection(here, gentle, {.limits = {0.5, 10}, .pivot = true}).turn_before, 0);
+}
+
 TEST(Connect, LimitsComeFromTheRobot) {
     Robot robot;
     robot.min_radius = 0.7, robot.sharpness = 3;

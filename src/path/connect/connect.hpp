@@ -15,8 +15,9 @@ enum class Style { bounded, straight };
 struct Options {
     Style style = Style::bounded;
     CurveLimits limits{};
-    bool pivot =
-        false;  ///< may turn on the spot at both ends: then the straight is taken, whatever the style
+    /// May turn on the spot at both ends: for `straight` always; for `bounded` it serves where an end asks
+    /// for a curvature above the limit.
+    bool pivot = false;
 };
 /// What is driven: pivot by `turn_before`, along the curve, pivot by `turn_after` (radians; 0 for bounded).
 struct Connection {
