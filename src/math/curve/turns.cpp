@@ -40,6 +40,11 @@ Point Spiral::at(double curvature) const {
     return {s * sum.x, s * h * sum.y};
 }
 
+Pose Spiral::rise(double begin) const {
+    const double h = heading(begin);
+    return {rotated(unit(-h), full - at(begin)), full_heading - h};
+}
+
 Turn::Turn(const Spiral& spiral, double begin)
     : natural(begin * std::abs(begin) / (2 * spiral.sharpness)),
       spiral_(&spiral),

@@ -22,6 +22,8 @@ struct Spiral {
 
     Point at(double curvature) const;
     double heading(double curvature) const { return curvature * curvature / (2 * sharpness); }
+    /// From curvature `begin` up to 1, from the origin with heading 0.
+    Pose rise(double begin) const;
 };
 
 /// Turns from curvature `begin` to 0, from the origin with heading 0.
