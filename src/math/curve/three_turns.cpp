@@ -24,7 +24,9 @@ constexpr double gentle_radius = 1.5;
 struct Solver {
     const Task& task;
     Turn middle;
-    double best, tolerance;
+    /// Of what was found before; it stays, so that mirrored tasks are pruned alike.
+    double best;
+    double tolerance;
     std::vector<Found>& found;
 
     /// The gap between the middle turn and the last for the first two angles, a + m + b = total.
@@ -50,9 +52,7 @@ struct Solver {
             f = miss(a, m, total);
         }
         if (!(length(f) <= tolerance)) return;
-        const double length_found = whole(a, m, total);
-        found.push_back({Found::three_turns, length_found, a, m, total - a - m});
-        best = std::min(best, length_found);
+        found.push_back({Found::three_turns, whole(a, m, total), a, m, total - a - m});
     }
 };
 
@@ -115,7 +115,7 @@ void add_three_turns(const Task& task, std::vector<Found>& found) {
     Solver solver{task, Turn(task.spiral, 0), best, root_accuracy * (1 + length(task.to)), found};
     for (double side : {1.0, -1.0}) {
         try_gentle_turns(solver, side);
-        if (task.begin != 0 || task.end != 0) try_full_turns(solver, side);
+        try_full_turns(solver, side);
     }
 }
 
