@@ -44,11 +44,24 @@ TEST(Drive, ALoopOutsideLeavesTheCornerSharpAndDrawsBothEdgesWhole) {
     EXPECT_LT(worst_rake_error(result, beachbot(), right_angle), 1e-6);
     for (const Leg& leg : result.legs) {
         if (leg.motion != Motion::loop) continue;
-        // FINDINGS: at most 7.7 R for CC curves from corner pose to corner pose; leads add a little
-        EXPECT_LT(length(leg.path), 9 * beachbot().min_radius);
         EXPECT_LE(max_curvature(leg.curve), 2 + 1e-9);
         EXPECT_LE(max_sharpness(leg.curve), 10 + 1e-6);
     }
+}
+
+TEST(Drive, ALoopWithItsLeadIsNoLongerThanTheBoundForCornerPoses) {
+    // FINDINGS: corner pose back to corner pose costs at most 7.7 R
+    for (double turn = pi / 2; turn < pi; turn += 0.1)
+        for (const double side : {1.0, -1.0}) {
+            const Stroke corner = polyline({{0, 0}, {3, 0}, Point{3, 0} + 3 * unit(side * turn)});
+            const drive::Drive result = drive::drive(corner, 0, 0, false, beachbot(), {});
+            double rake_up = 0;
+            for (const Leg& leg : result.legs)
+                if (leg.motion != Motion::draw) rake_up += length(leg.path);
+            EXPECT_EQ(result.loops, 1);
+            EXPECT_LT(rake_up, 7.7 * beachbot().min_radius) << turn;
+            EXPECT_NEAR(expect_drivable(result, beachbot()), 6, 1e-4);
+        }
 }
 
 TEST(Drive, ATightStartIsLedInToRakeUp) {

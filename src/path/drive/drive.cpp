@@ -13,8 +13,8 @@ namespace {
 
 // Heading jumps below this (radians) are rounding of the fit, not corners.
 constexpr double smooth = 1e-7;
-// Pieces shorter than this (metres) are rounding of a cut.
-constexpr double least_length = 1e-9;
+// Pieces, and edges, shorter than this (metres) are rounding of a cut.
+constexpr double least_length = 2e-9, least_edge = 2e-8;
 
 // An edge between two corners is shared by their roundings; one at the stroke's end belongs to its corner but
 // for a rest that keeps the end's own direction and curvature.
@@ -26,7 +26,8 @@ enum class Treatment { round, exact, pivot, loop };
 std::vector<Curve> edges_of(std::vector<Curve> path) {
     std::vector<Curve> edges;
     for (Curve& curve : path) {
-        if (length(curve) < least_length) continue;
+        std::erase_if(curve.pieces, [](const Clothoid& piece) { return piece.length < least_length; });
+        if (length(curve) < least_edge) continue;
         const double turn =
             edges.empty() ? pi : wrap_angle(curve.start.heading - end_pose(edges.back()).heading);
         if (std::abs(turn) < smooth)
@@ -93,7 +94,7 @@ struct Builder {
         for (const Followed::Span& span : what.undrivable)
             drive.undrivable.push_back(
                 {point_at(piece, (span.from + span.to) / 2).pose.at, span.to - span.from});
-        if (!what.path.empty()) chunks.push_back(std::move(what.path));
+        chunks.push_back(std::move(what.path));
     }
     /// The chunks become one leg.
     void finish_leg() {
@@ -103,7 +104,7 @@ struct Builder {
             const double turns =
                 leg.path.empty() ? 0 : whole_turns(leg.path.back().pose, chunk->front().pose);
             // chunks share their joint; with the rake at the turning point curvature may jump there
-            const bool shared =
+            const bool one =
                 !leg.path.empty() && std::abs(leg.path.back().curvature - chunk->front().curvature) < smooth;
             for (std::size_t i = one ? 1 : 0; i < chunk->size(); ++i) {
                 leg.path.push_back((*chunk)[i]);
@@ -112,28 +113,9 @@ struct Builder {
             }
         }
         chunks.clear();
-        if (!leg.path.empty()) push(std::move(leg));
+        push(std::move(leg));
     }
     const RobotState& first_state() const { return drive.legs.back().path.front(); }
-    /// The finished leg is entered from rake up.
-    void finish_with_lead_in() {
-        finish_leg();
-        if (drive.legs.empty()) return;
-        if (auto lead = lead_in(robot, first_state(), options.step)) push(std::move(*lead));
-    }
-    /// The robot where it leaves the edge with that delta, after a run-out if one is needed.
-    struct Leaving {
-        RobotState state;
-        std::optional<Leg> run_out;
-    };
-    Leaving leaving(const Curve& edge, double delta) const {
-        const Pose end = end_pose(edge);
-        const double curvature =
-            robot.rake_offset > 0 ? std::tan(delta) / robot.rake_offset : edge.pieces.back().end_curvature();
-        const RobotState state{0, robot_at(robot, end.at, end.heading + delta), curvature};
-        auto out = run_out(robot, state, options.step);
-        return out ? Leaving{out->path.back(), out} : Leaving{state, std::nullopt};
-    }
 };
 
 Curve cut(const Curve& edge, double from, double to) {
@@ -159,16 +141,14 @@ Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, con
     if (edges.empty()) return {};
 
     double end_delta = leaving_delta(robot, edges.back());
-    if (auto out = build.leaving(edges.back(), end_delta).run_out) build.push(std::move(*out));
+    if (auto out = leaving(robot, edges.back(), end_delta, options.step).run_out) build.push(std::move(*out));
     double end = length(edges.back());  // of the present edge: what a rounding left of it
     for (std::size_t i = edges.size() - 1; i > 0; --i) {
         const Curve &edge = edges[i], &before = edges[i - 1];
         const double length_before = length(before),
                      turn = wrap_angle(edge.start.heading - end_pose(before).heading);
         const Curve whole = cut(edge, 0, end);
-        Followed plain = build.followed(whole, end_delta);
-        const double delta =
-            plain.path.empty() ? end_delta : plain.path.front().pose.heading - whole.start.heading;
+        std::optional<Followed> plain;
 
         for (const Treatment treatment : treatments(stroke, turn, robot, options)) {
             if (treatment == Treatment::round) {
@@ -186,10 +166,12 @@ Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, con
                 ++build.drive.rounded;
                 break;
             }
+            if (!plain) plain = build.followed(whole, end_delta);
+            const double delta = plain->path.front().pose.heading - whole.start.heading;
             if (treatment == Treatment::exact &&
                 (robot.rake_offset == 0 || std::abs(delta + turn) > options.max_delta))
                 continue;
-            build.draw(whole, std::move(plain));
+            build.draw(whole, std::move(*plain));
             end = length_before;
             if (treatment == Treatment::exact) {
                 build.finish_leg();
@@ -197,19 +179,19 @@ Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, con
                 ++build.drive.exact;
                 break;
             }
-            end_delta = leaving_delta(robot, before);
+            build.finish_leg();
             if (treatment == Treatment::pivot) {
-                build.finish_leg();
+                end_delta = leaving_delta(robot, before);
                 const Pose to = build.first_state().pose, corner = end_pose(before);
                 const auto legs = pivot(robot_at(robot, corner.at, corner.heading + end_delta), to);
                 std::for_each(legs.rbegin(), legs.rend(), [&](const Leg& leg) { build.push(leg); });
                 ++build.drive.pivots;
             } else {
-                build.finish_with_lead_in();
-                const RobotState to = build.first_state();
-                auto from = build.leaving(before, end_delta);
-                build.push(loop(robot, from.state, to, options.step));
-                if (from.run_out) build.push(std::move(*from.run_out));
+                Loop loop = loop_round(robot, before, build.first_state(), options.step);
+                end_delta = loop.from.delta;
+                if (loop.lead) build.push(std::move(*loop.lead));
+                build.push(std::move(loop.curve));
+                if (loop.from.run_out) build.push(std::move(*loop.from.run_out));
                 ++build.drive.loops;
             }
             break;
@@ -217,10 +199,10 @@ Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, con
     }
     const Curve first = cut(edges.front(), 0, end);
     build.draw(first, build.followed(first, end_delta));
-    build.finish_with_lead_in();
+    build.finish_leg();
+    if (auto lead = lead_in(robot, build.first_state(), options.step)) build.push(std::move(*lead));
 
     Drive result = std::move(build.drive);
-    if (result.legs.empty()) return result;
     std::reverse(result.legs.begin(), result.legs.end());
     std::reverse(result.undrivable.begin(), result.undrivable.end());
     unwind(result.legs);

@@ -14,6 +14,10 @@ constexpr double inside_limit = 1 - 1e-9;
 constexpr double sharpest_rounding = 170 * pi / 180;
 // Less room than this (metres) is none.
 constexpr double least_cut = 1e-4;
+// What loop_round tries: deltas at the end as shares of what a connection takes up (0: the steady one), and
+// metres of lead-in beyond what is needed as shares of R.
+constexpr double ends_tried[] = {0, -1, -0.5, 0.5, 1};
+constexpr double leads_tried[] = {0, 0.1, 0.25, 0.5, 1};
 
 double connectable(const Robot& robot) { return connectable_delta(robot) * inside_limit; }
 /// Whether a connection can take up that curvature.
@@ -41,17 +45,18 @@ std::optional<Rounding> rounded(const Curve& before, const Curve& after, double 
     return Rounding{cut, hermite_clothoid(from, to)};
 }
 
-std::optional<Leg> lead_in(const Robot& robot, const RobotState& first, double step) {
-    if (within(robot, first.curvature)) return std::nullopt;
+std::optional<Leg> lead_in(const Robot& robot, const RobotState& first, double step, double extra) {
+    if (within(robot, first.curvature) && extra == 0) return std::nullopt;
     double back = step;  // a rake at the turning point: any straight piece ends with curvature 0
     double delta = 0;
     if (robot.rake_offset > 0) {
         // on a straight line d delta / ds = sin(delta)/L: tan(delta/2) grows as e^(s/L)
         delta = std::atan(first.curvature * robot.rake_offset);
         constexpr double margin = 1 - 1e-4;  // against the error of the numerical pass
-        back = robot.rake_offset *
-               std::log(std::tan(std::abs(delta) / 2) / std::tan(connectable_delta(robot) * margin / 2));
+        const double allowed = std::tan(connectable_delta(robot) * margin / 2);
+        back = robot.rake_offset * std::log(std::max(1.0, std::tan(std::abs(delta) / 2) / allowed));
     }
+    back += extra;
     const double tangent = first.pose.heading - delta;
     const Point rake = rake_at(robot, first.pose);
     const Curve line = straight({rake - back * unit(tangent), tangent}, back);
@@ -66,10 +71,40 @@ std::optional<Leg> run_out(const Robot& robot, const RobotState& last, double st
     return lead(states_along(straight(last.pose, step), step));
 }
 
-Leg loop(const Robot& robot, const RobotState& from, const RobotState& to, double step) {
-    const Curve curve = continuous_curvature({from.pose, from.curvature}, {to.pose, to.curvature},
-                                             {.radius = robot.min_radius, .sharpness = robot.sharpness});
-    return {.motion = Motion::loop, .path = states_along(curve, step), .curve = curve};
+Leaving leaving(const Robot& robot, const Curve& edge, double delta, double step) {
+    const Pose end = end_pose(edge);
+    const double curvature =
+        robot.rake_offset > 0 ? std::tan(delta) / robot.rake_offset : edge.pieces.back().end_curvature();
+    const RobotState state{0, robot_at(robot, end.at, end.heading + delta), curvature};
+    auto out = run_out(robot, state, step);
+    return out ? Leaving{out->path.back(), delta, out} : Leaving{state, delta};
+}
+
+Loop loop_round(const Robot& robot, const Curve& before, const RobotState& first, double step) {
+    std::vector<Leaving> ways_out;
+    for (const double share : ends_tried) {
+        const double delta = share == 0 ? leaving_delta(robot, before) : share * connectable(robot);
+        ways_out.push_back(leaving(robot, before, delta, step));
+        if (robot.rake_offset == 0) break;  // the end is what the edge makes it
+    }
+    std::optional<Loop> best;
+    double shortest = 0;
+    for (const double share : leads_tried) {
+        auto lead = lead_in(robot, first, step, share * robot.min_radius);
+        const RobotState to = lead ? lead->path.front() : first;
+        for (const Leaving& from : ways_out) {
+            Curve curve =
+                continuous_curvature({from.state.pose, from.state.curvature}, {to.pose, to.curvature},
+                                     {.radius = robot.min_radius, .sharpness = robot.sharpness});
+            const double whole = length(curve) + (lead ? length(lead->path) : 0);
+            // a gain of less than rounding changes nothing, so that turned drawings are driven alike
+            if (best && whole > shortest * (1 - 1e-6)) continue;
+            shortest = whole;
+            best = Loop{from, {.motion = Motion::loop, .curve = std::move(curve)}, lead};
+        }
+    }
+    best->curve.path = states_along(best->curve.curve, step);
+    return std::move(*best);
 }
 
 std::vector<Leg> pivot(Pose from, Pose to) {

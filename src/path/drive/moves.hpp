@@ -23,11 +23,26 @@ std::optional<Rounding> rounded(const Curve& before, const Curve& after, double 
 
 /// Rake up, straight on along the tangent, until the robot's curvature is within 1/R: before a drawn leg that
 /// starts with `first` (nullopt: it is already), or after one that ends with `last`.
-std::optional<Leg> lead_in(const Robot& robot, const RobotState& first, double step);
+std::optional<Leg> lead_in(const Robot& robot, const RobotState& first, double step, double extra = 0);
 std::optional<Leg> run_out(const Robot& robot, const RobotState& last, double step);
 
-/// Rake up from one state to the other by the shortest curve within the robot's limits.
-Leg loop(const Robot& robot, const RobotState& from, const RobotState& to, double step);
+/// The robot where it leaves the edge with that delta, after a run-out if one is needed.
+struct Leaving {
+    RobotState state;
+    double delta;
+    std::optional<Leg> run_out = {};
+};
+Leaving leaving(const Robot& robot, const Curve& edge, double delta, double step);
+
+/// Rake up round a corner: from the end of `before` to the drawn leg that starts with `first`. The lead-in's
+/// length and the delta at the end of `before` are free, and the bounded curves between them are not
+/// continuous in either: a few are tried, the shortest whole is taken.
+struct Loop {
+    Leaving from;
+    Leg curve;
+    std::optional<Leg> lead;
+};
+Loop loop_round(const Robot& robot, const Curve& before, const RobotState& first, double step);
 /// From one state to the other turning on the spot: turn, straight, turn; only one turn where both are at one
 /// place.
 std::vector<Leg> pivot(Pose from, Pose to);
