@@ -8,16 +8,19 @@ namespace strandline::svg {
 
 namespace {
 
-/// An arc whose chord is a 1e8th of its radius bulges by 1e-9 of the chord: a line. Its centre would be rounding error.
-constexpr double flat_arc = 1e-16;  // squared
+/// An arc whose chord is a 1e8th of its radius bulges by 1e-9 of the chord: a line. Its centre would be
+/// rounding error.
+constexpr double flat_arc = 1e-16;   // squared
 constexpr double no_radius = 1e-12;  // of the chord
 
 void append_line(Path& path, Point to) { path.segments.emplace_back(LineSegment{to}); }
 
 }  // namespace
 
-void append_arc(Path& path, Point from, double rx, double ry, double degrees, bool large, bool positive, Point to) {
-    // Names as in SVG 2, appendix B.2.4: (x1, y1) is half the chord in the ellipse's axes, (cx, cy) the centre there.
+void append_arc(Path& path, Point from, double rx, double ry, double degrees, bool large, bool positive,
+                Point to) {
+    // Names as in SVG 2, appendix B.2.4: (x1, y1) is half the chord in the ellipse's axes, (cx, cy) the
+    // centre there.
     if (from == to) return;
     rx = std::abs(rx);
     ry = std::abs(ry);
@@ -33,7 +36,8 @@ void append_arc(Path& path, Point from, double rx, double ry, double degrees, bo
         rx *= std::sqrt(lambda);
         ry *= std::sqrt(lambda);
     }
-    // The circle of radius 1 that the ellipse is the image of: half chord (a, b), its centre off to the side by `side`.
+    // The circle of radius 1 that the ellipse is the image of: half chord (a, b), its centre off to the side
+    // by `side`.
     const double a = x1 / rx, b = y1 / ry, squared = a * a + b * b;
     const double side = (large == positive ? -1 : 1) * std::sqrt(std::max(0.0, 1 / squared - 1));
     const double cx = side * b, cy = -side * a;
@@ -43,7 +47,8 @@ void append_arc(Path& path, Point from, double rx, double ry, double degrees, bo
     double sweep = std::atan2(-b - cy, -a - cx) - start;
     if (positive && sweep <= 0) sweep += 2 * pi;
     if (!positive && sweep >= 0) sweep -= 2 * pi;
-    if (!is_finite(center) || !is_finite(u) || !is_finite(v) || !std::isfinite(sweep)) return append_line(path, to);
+    if (!is_finite(center) || !is_finite(u) || !is_finite(v) || !std::isfinite(sweep))
+        return append_line(path, to);
     path.segments.emplace_back(ArcSegment{center, u, v, start, sweep, to});
 }
 
@@ -51,7 +56,8 @@ Path rectangle(double x, double y, double width, double height, double rx, doubl
     const double right = x + width, bottom = y + height;
     if (rx <= 0 || ry <= 0)
         return {{x, y},
-                {LineSegment{{right, y}}, LineSegment{{right, bottom}}, LineSegment{{x, bottom}}, LineSegment{{x, y}}},
+                {LineSegment{{right, y}}, LineSegment{{right, bottom}}, LineSegment{{x, bottom}},
+                 LineSegment{{x, y}}},
                 true};
     Path path{{x + rx, y}, {}, true};
     Point at = path.start;
@@ -63,7 +69,8 @@ Path rectangle(double x, double y, double width, double height, double rx, doubl
         path.segments.emplace_back(ArcSegment{center, {rx, 0}, {0, ry}, start, pi / 2, to});
         at = to;
     };
-    const bool pill = 2 * rx >= width, lens = 2 * ry >= height;  // the straight sides vanish, also when rounding says otherwise
+    const bool pill = 2 * rx >= width,
+               lens = 2 * ry >= height;  // the straight sides vanish, also when rounding says otherwise
     const double left_x = x + rx, right_x = pill ? left_x : right - rx;
     const double top_y = y + ry, low_y = lens ? top_y : bottom - ry;
     line({right_x, y});

@@ -10,8 +10,8 @@
 
 namespace strandline::svg {
 
-/// `state` malformed: `subpaths` is what stood before the error (SVG 2, 9.5.4), `message` says what and where. refused: a number
-/// that is not finite or beyond largest_number.
+/// `state` malformed: `subpaths` is what stood before the error (SVG 2, 9.5.4), `message` says what and
+/// where. refused: a number that is not finite or beyond largest_number.
 struct Outline {
     ValueState state = ValueState::good;
     std::vector<Path> subpaths;
@@ -24,9 +24,10 @@ Outline read_path(std::string_view d, std::size_t max_segments);
 /// The points attribute of polyline and polygon. An odd number at the end is malformed and dropped.
 Outline read_points(std::string_view points, bool closed, std::size_t max_segments);
 
-/// Appends the elliptic arc of SVG 2, 9.3.8 and appendix B.2 to `path`: nothing when the ends are equal, a line when a radius is zero
-/// (or 1e-12 of the chord), radii scaled up when they are too small.
-void append_arc(Path& path, Point from, double rx, double ry, double degrees, bool large, bool positive, Point to);
+/// Appends the elliptic arc of SVG 2, 9.3.8 and appendix B.2 to `path`: nothing when the ends are equal, a
+/// line when a radius is zero (or 1e-12 of the chord), radii scaled up when they are too small.
+void append_arc(Path& path, Point from, double rx, double ry, double degrees, bool large, bool positive,
+                Point to);
 
 /// rx, ry already resolved and clamped; zero: square corners.
 Path rectangle(double x, double y, double width, double height, double rx, double ry);

@@ -13,8 +13,8 @@ namespace strandline::svg {
 
 namespace {
 
-/// Relative commands add up rounding errors of about 1e-12 of the coordinates; an end that near its start is the start. Without
-/// this a closing line of no length would end in a corner of no meaning.
+/// Relative commands add up rounding errors of about 1e-12 of the coordinates; an end that near its start is
+/// the start. Without this a closing line of no length would end in a corner of no meaning.
 constexpr double same_point = 1e-9;
 
 /// Collects subpaths command by command.
@@ -72,14 +72,20 @@ constexpr std::size_t argument_count(char upper) {
     switch (upper) {
         case 'M':
         case 'L':
-        case 'T': return 2;
+        case 'T':
+            return 2;
         case 'H':
-        case 'V': return 1;
+        case 'V':
+            return 1;
         case 'S':
-        case 'Q': return 4;
-        case 'C': return 6;
-        case 'A': return 7;
-        default: return 0;
+        case 'Q':
+            return 4;
+        case 'C':
+            return 6;
+        case 'A':
+            return 7;
+        default:
+            return 0;
     }
 }
 
@@ -98,10 +104,10 @@ struct Reader {
     bool stop(ValueState state, std::string_view wanted) {
         result.state = state;
         result.message = state == ValueState::refused
-                             ? fmt::format("a number that is not finite or beyond {:g} at character {}", largest_number,
-                                           scanner.at + 1)
-                             : fmt::format("{} expected, {} found at character {}", wanted, character_text(scanner),
-                                           scanner.at + 1);
+                             ? fmt::format("a number that is not finite or beyond {:g} at character {}",
+                                           largest_number, scanner.at + 1)
+                             : fmt::format("{} expected, {} found at character {}", wanted,
+                                           character_text(scanner), scanner.at + 1);
         return false;
     }
 
@@ -111,7 +117,8 @@ struct Reader {
         for (std::size_t i = 0; i < count; ++i) {
             if (i > 0) skip_separator(scanner);
             if (upper == 'A' && (i == 3 || i == 4)) {  // flags are one character: "a1 1 0 0110 10"
-                if (scanner.peek() != '0' && scanner.peek() != '1') return stop(ValueState::malformed, "a flag 0 or 1");
+                if (scanner.peek() != '0' && scanner.peek() != '1')
+                    return stop(ValueState::malformed, "a flag 0 or 1");
                 v[i] = scanner.text[scanner.at++] - '0';
                 continue;
             }
@@ -126,10 +133,18 @@ struct Reader {
         const auto point = [&](std::size_t i) { return Point{v[i] + base.x, v[i + 1] + base.y}; };
         std::optional<Point> next_cubic, next_quadratic;
         switch (upper) {
-            case 'M': pen.move(point(0)); break;
-            case 'L': pen.line(point(0)); break;
-            case 'H': pen.line({v[0] + base.x, pen.at.y}); break;
-            case 'V': pen.line({pen.at.x, v[0] + base.y}); break;
+            case 'M':
+                pen.move(point(0));
+                break;
+            case 'L':
+                pen.line(point(0));
+                break;
+            case 'H':
+                pen.line({v[0] + base.x, pen.at.y});
+                break;
+            case 'V':
+                pen.line({pen.at.x, v[0] + base.y});
+                break;
             case 'C':
                 next_cubic = point(2);
                 pen.cubic(point(0), point(2), point(4));
@@ -146,7 +161,9 @@ struct Reader {
                 next_quadratic = quadratic_control ? pen.at + (pen.at - *quadratic_control) : pen.at;
                 pen.quadratic(*next_quadratic, point(0));
                 break;
-            default: pen.arc(v[0], v[1], v[2], v[3] != 0, v[4] != 0, point(5)); break;
+            default:
+                pen.arc(v[0], v[1], v[2], v[3] != 0, v[4] != 0, point(5));
+                break;
         }
         cubic_control = next_cubic;
         quadratic_control = next_quadratic;
@@ -209,10 +226,12 @@ Outline read_points(std::string_view points, bool closed, std::size_t max_segmen
     bool first = true;
     const auto stop = [&](ValueState state) {
         result.state = state;
-        result.message = state == ValueState::refused ? "a number that is not finite or too large in points"
-                                                      : fmt::format("{} found at character {} of points where a pair of "
-                                                                    "numbers was expected",
-                                                                    character_text(scanner), scanner.at + 1);
+        result.message = state == ValueState::refused
+                             ? "a number that is not finite or too large in points"
+                             : fmt::format(
+                                   "{} found at character {} of points where a pair of "
+                                   "numbers was expected",
+                                   character_text(scanner), scanner.at + 1);
     };
     while (!scanner.done()) {
         const auto x = take_number(scanner);

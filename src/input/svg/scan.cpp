@@ -14,8 +14,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
 
-/// std::from_chars says "out of range" for both ends: this tells 1e999 from 1e-999 by the decimal place of the first digit
-/// that counts.
+/// std::from_chars says "out of range" for both ends: this tells 1e999 from 1e-999 by the decimal place of
+/// the first digit that counts.
 bool underflows(std::string_view number) {
     constexpr long far = 1'000'000;  // exponents beyond it decide by their sign alone
     const auto exponent_at = number.find_first_of("eE");
@@ -105,7 +105,8 @@ Length read_length(std::string_view text, Axis axis, const Viewport& viewport, d
     const auto unit = lower_case(trimmed(scanner.text.substr(scanner.at)));
     const auto good = [&](double factor) {
         const double value = number.value * factor;
-        return Length{std::abs(value) > largest_number ? ValueState::refused : ValueState::good, value, unit == "%"};
+        return Length{std::abs(value) > largest_number ? ValueState::refused : ValueState::good, value,
+                      unit == "%"};
     };
     if (unit.empty() || unit == "px") return good(1);
     if (unit == "pt") return good(96.0 / 72.0);
@@ -115,7 +116,8 @@ Length read_length(std::string_view text, Axis axis, const Viewport& viewport, d
     if (unit == "in") return good(96);
     if (unit == "q") return good(96.0 / 101.6);
     if (unit == "em") return good(font_size);
-    if (unit == "ex" || unit == "ch") return good(font_size / 2);  // what CSS asks for where the font is not known
+    if (unit == "ex" || unit == "ch")
+        return good(font_size / 2);  // what CSS asks for where the font is not known
     if (unit == "rem") return good(16);
     if (unit == "%") {
         if (axis == Axis::x) return good(viewport.width / 100);
@@ -142,7 +144,8 @@ Affine rotation(double degrees) {
 }
 
 /// The map of one function of a transform list; nothing when its name or its count of numbers is wrong.
-std::optional<Affine> transform_function(std::string_view name, const std::array<double, 6>& v, std::size_t n) {
+std::optional<Affine> transform_function(std::string_view name, const std::array<double, 6>& v,
+                                         std::size_t n) {
     const auto slant = [&] { return std::tan(v[0] * pi / 180); };
     if (name == "matrix" && n == 6) return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
     if (name == "translate" && (n == 1 || n == 2)) return Affine{1, 0, 0, 1, v[0], n == 2 ? v[1] : 0};
@@ -193,7 +196,8 @@ Transform read_transform(std::string_view text) {
         result.map = composed(result.map, *map);
         if (!within_range(result.map)) return refused;
         skip_space(scanner);
-        while (scanner.peek() == ',') skip_separator(scanner);  // SVG 1.1 lets any number of commas stand here
+        while (scanner.peek() == ',')
+            skip_separator(scanner);  // SVG 1.1 lets any number of commas stand here
     }
     return result;
 }

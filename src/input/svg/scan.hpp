@@ -1,5 +1,6 @@
 #pragma once
-// Private to the room: the small grammars inside attributes (numbers, lengths, transforms), independent of locale.
+// Private to the room: the small grammars inside attributes (numbers, lengths, transforms), independent of
+// locale.
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -11,7 +12,8 @@ namespace strandline::svg {
 /// Larger coordinates lose millimetres to rounding at any drawing size, and their squares soon overflow.
 inline constexpr double largest_number = 1e15;
 
-/// How reading a value went. `refused`: it is a number, but not finite or beyond largest_number: the file is at fault.
+/// How reading a value went. `refused`: it is a number, but not finite or beyond largest_number: the file is
+/// at fault.
 enum class ValueState { good, malformed, refused };
 
 struct Scanner {
@@ -27,7 +29,8 @@ std::string lower_case(std::string_view text);
 void skip_space(Scanner& scanner);
 /// Spaces and at most one comma between; true when there was one.
 bool skip_separator(Scanner& scanner);
-/// A digit, sign or dot, or one of the words for what is no number (nan, inf), which take_number then refuses.
+/// A digit, sign or dot, or one of the words for what is no number (nan, inf), which take_number then
+/// refuses.
 bool at_number(const Scanner& scanner);
 
 struct Number {
@@ -54,7 +57,8 @@ struct Transform {
     ValueState state = ValueState::good;
     Affine map;
 };
-/// A transform list: matrix, translate, scale, rotate (with centre), skewX, skewY; also `px` and `deg` as CSS writes them.
+/// A transform list: matrix, translate, scale, rotate (with centre), skewX, skewY; also `px` and `deg` as CSS
+/// writes them.
 Transform read_transform(std::string_view text);
 
 }  // namespace strandline::svg
