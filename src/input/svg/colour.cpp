@@ -167,6 +167,7 @@ constexpr std::array named_colours = std::to_array<Named>({
     {"yellow", 0xffff00},
     {"yellowgreen", 0x9acd32},
 });
+static_assert(std::ranges::is_sorted(named_colours, {}, &Named::name));
 
 Colour from_rgb(std::uint32_t rgb) {
     return {static_cast<unsigned char>(rgb >> 16 & 255), static_cast<unsigned char>(rgb >> 8 & 255),

@@ -217,10 +217,14 @@ Spot spot_of(const Markup& markup, pugi::xml_node node) {
     return offset < 0 ? Spot{} : spot_at(markup.line_starts, static_cast<std::size_t>(offset));
 }
 
+std::string well_formed(std::string_view text) {
+    return valid_utf8(text) ? std::string(text) : from_latin1(text);
+}
+
 std::string clipped(std::string_view text, std::size_t longest) {
-    if (text.size() <= longest) return std::string(text);
+    if (text.size() <= longest) return well_formed(text);
     while (longest > 0 && (byte_at(text, longest) & 0xC0) == 0x80) --longest;
-    return std::string(text.substr(0, longest)) + "...";
+    return well_formed(text.substr(0, longest)) + "...";
 }
 
 std::string_view local_name(std::string_view name) {

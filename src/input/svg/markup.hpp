@@ -31,7 +31,10 @@ struct Spot {
 Spot spot_of(const Markup& markup, pugi::xml_node node);
 /// "line 12, <path> #eye".
 std::string place_of(const Markup& markup, pugi::xml_node node);
-/// At most `longest` bytes of it, cut between characters.
+/// The same text, or, where it is not UTF-8 (a character reference to half a surrogate), each byte as a
+/// character.
+std::string well_formed(std::string_view text);
+/// At most `longest` bytes of it, cut between characters; well formed.
 std::string clipped(std::string_view text, std::size_t longest = 60);
 /// What follows the prefix: "path" of "svg:path".
 std::string_view local_name(std::string_view name);

@@ -47,44 +47,54 @@ Ink stop_ink(pugi::xml_node stop) {
     return ink;
 }
 
-struct StopMean {
+/// Of the gradient's own stops; none: nothing.
+std::optional<Served> mean_of_stops(pugi::xml_node gradient) {
     int stops = 0;
+    double red = 0, green = 0, blue = 0, alpha = 0;
     bool uniform = true;
-    Ink ink;
-};
-
-/// Of the gradient's own stops, or of those it refers to.
-StopMean mean_of_stops(pugi::xml_node gradient, const PaintServers& servers) {
-    constexpr int longest_chain = 32;  // gradients that refer to gradients; also ends a circle
-    for (int hop = 0; hop < longest_chain && gradient; ++hop) {
-        StopMean mean;
-        double red = 0, green = 0, blue = 0, alpha = 0;
-        std::optional<Ink> first;
-        for (const auto stop : gradient.children()) {
-            if (local_name(stop.name()) != "stop") continue;
-            const auto ink = stop_ink(stop);
-            if (!first) first = ink;
-            if (!(ink.colour == first->colour && ink.alpha == first->alpha)) mean.uniform = false;
-            ++mean.stops;
-            red += ink.alpha * ink.colour.r;
-            green += ink.alpha * ink.colour.g;
-            blue += ink.alpha * ink.colour.b;
-            alpha += ink.alpha;
-        }
-        if (mean.stops > 0) {
-            const auto channel = [&](double sum) {
-                return static_cast<unsigned char>(alpha > 0 ? sum / alpha + 0.5 : 0);
-            };
-            mean.ink = mean.uniform ? *first
-                                    : Ink{{channel(red), channel(green), channel(blue)}, alpha / mean.stops};
-            return mean;
-        }
-        const auto reference = reference_of(gradient);
-        const auto next =
-            reference.starts_with('#') ? servers.by_id.find(reference.substr(1)) : servers.by_id.end();
-        gradient = next == servers.by_id.end() ? pugi::xml_node{} : next->second;
+    Ink first;
+    for (const auto stop : gradient.children()) {
+        if (local_name(stop.name()) != "stop") continue;
+        const auto ink = stop_ink(stop);
+        if (stops++ == 0) first = ink;
+        if (!(ink.colour == first.colour && ink.alpha == first.alpha)) uniform = false;
+        red += ink.alpha * ink.colour.r;
+        green += ink.alpha * ink.colour.g;
+        blue += ink.alpha * ink.colour.b;
+        alpha += ink.alpha;
     }
-    return {};
+    if (stops == 0) return std::nullopt;
+    const auto channel = [&](double sum) {
+        return static_cast<unsigned char>(alpha > 0 ? sum / alpha + 0.5 : 0);
+    };
+    const Ink mean = uniform ? first : Ink{{channel(red), channel(green), channel(blue)}, alpha / stops};
+    return Served{{Brush::Kind::ink, mean}, uniform};
+}
+
+/// Of the gradient, or of the one whose stops it takes over. Every gradient's stops are read once, however
+/// many refer to it.
+Served served_gradient(std::string_view id, PaintServers& servers) {
+    constexpr std::size_t longest_chain = 32;  // gradients that refer to gradients; also ends a circle
+    std::vector<std::string_view> chain;
+    Served served;  // without stops a gradient paints nothing (SVG 2, 14.2.4)
+    while (chain.size() < longest_chain) {
+        const auto node = servers.by_id.find(id);
+        if (node == servers.by_id.end() || !is_gradient(node->second)) break;
+        if (const auto known = servers.resolved.find(id); known != servers.resolved.end()) {
+            served = known->second;
+            break;
+        }
+        chain.push_back(node->first);
+        if (const auto own = mean_of_stops(node->second)) {
+            served = *own;
+            break;
+        }
+        const auto reference = reference_of(node->second);
+        if (!reference.starts_with('#')) break;
+        id = reference.substr(1);
+    }
+    for (const auto member : chain) servers.resolved.insert_or_assign(member, served);
+    return served;
 }
 
 }  // namespace
@@ -101,17 +111,10 @@ std::optional<Brush> served_paint(std::string_view id, pugi::xml_node user, Styl
         note(notes, "a pattern: drawn as black ink", user);
         return Brush{Brush::Kind::ink, {}};
     }
-    if (name == "solidColor" || name == "solidcolor") return Brush{Brush::Kind::ink, {}};
     if (!is_gradient(node)) return std::nullopt;
-    auto known = servers.resolved.find(server->first);
-    if (known == servers.resolved.end()) {
-        const auto mean = mean_of_stops(node, servers);
-        Brush brush;  // without stops a gradient paints nothing (SVG 2, 14.2.4)
-        if (mean.stops > 0) brush = {Brush::Kind::ink, mean.ink};
-        known = servers.resolved.emplace(server->first, Served{brush, mean.uniform}).first;
-    }
-    if (!known->second.uniform) note(notes, "a gradient: drawn as one ink, the mean of its stops", user);
-    return known->second.brush;
+    const auto served = served_gradient(server->first, servers);
+    if (!served.uniform) note(notes, "a gradient: drawn as one ink, the mean of its stops", user);
+    return served.brush;
 }
 
 }  // namespace strandline::svg

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <unordered_set>
 
+#include "input/svg/elements.hpp"
 #include "input/svg/frame.hpp"
 #include "input/svg/markup.hpp"
 #include "input/svg/notes.hpp"
@@ -16,83 +16,6 @@
 namespace strandline::svg {
 
 namespace {
-
-enum class Kind {
-    unknown,
-    group,
-    nested_svg,
-    choice,
-    path,
-    rect,
-    circle,
-    ellipse,
-    line,
-    polyline,
-    polygon,
-    silent,
-    left_out
-};
-struct NamedKind {
-    std::string_view name;
-    Kind kind;
-    std::string_view reason;  ///< for what is left out
-};
-constexpr std::string_view no_text = "text is not supported yet: left out",
-                           no_image = "images are not drawn: left out";
-
-/// Sorted by name. `silent` are those that never draw by themselves.
-constexpr std::array kinds = std::to_array<NamedKind>({
-    {"a", Kind::group, {}},
-    {"altGlyphDef", Kind::silent, {}},
-    {"animate", Kind::left_out, "animations are not played: left out"},
-    {"animateColor", Kind::left_out, "animations are not played: left out"},
-    {"animateMotion", Kind::left_out, "animations are not played: left out"},
-    {"animateTransform", Kind::left_out, "animations are not played: left out"},
-    {"circle", Kind::circle, {}},
-    {"clipPath", Kind::silent, {}},
-    {"color-profile", Kind::silent, {}},
-    {"cursor", Kind::silent, {}},
-    {"defs", Kind::silent, {}},
-    {"desc", Kind::silent, {}},
-    {"ellipse", Kind::ellipse, {}},
-    {"filter", Kind::silent, {}},
-    {"flowRoot", Kind::left_out, no_text},
-    {"font", Kind::silent, {}},
-    {"font-face", Kind::silent, {}},
-    {"foreignObject", Kind::left_out, "foreignObject is not drawn: left out"},
-    {"g", Kind::group, {}},
-    {"hatch", Kind::silent, {}},
-    {"image", Kind::left_out, no_image},
-    {"line", Kind::line, {}},
-    {"linearGradient", Kind::silent, {}},
-    {"marker", Kind::silent, {}},
-    {"mask", Kind::silent, {}},
-    {"meshgradient", Kind::silent, {}},
-    {"metadata", Kind::silent, {}},
-    {"path", Kind::path, {}},
-    {"namedview", Kind::silent, {}},
-    {"pattern", Kind::silent, {}},
-    {"polygon", Kind::polygon, {}},
-    {"polyline", Kind::polyline, {}},
-    {"radialGradient", Kind::silent, {}},
-    {"rect", Kind::rect, {}},
-    {"script", Kind::left_out, "scripts are not run: left out"},
-    {"set", Kind::left_out, "animations are not played: left out"},
-    {"solidColor", Kind::silent, {}},
-    {"style", Kind::left_out, "style sheets are not supported yet: their rules are not followed"},
-    {"svg", Kind::nested_svg, {}},
-    {"switch", Kind::choice, {}},
-    {"symbol", Kind::silent, {}},
-    {"text", Kind::left_out, no_text},
-    {"title", Kind::silent, {}},
-    {"use", Kind::left_out, "<use> is not supported yet: left out"},
-    {"view", Kind::silent, {}},
-});
-
-NamedKind kind_named(std::string_view name) {
-    const auto found = std::ranges::lower_bound(kinds, name, {}, &NamedKind::name);
-    return found == kinds.end() || found->name != name ? NamedKind{name, Kind::unknown, {}} : *found;
-}
 
 /// What an element takes over from those around it.
 struct Surroundings {
@@ -274,12 +197,12 @@ struct Walk {
         }
     }
 
-    /// Also makes a second element of the same id tell itself apart: edits name elements by id.
+    /// Unique, because edits name elements by it.
     std::string id_of(pugi::xml_node node, Spot spot) {
-        std::string id = node.attribute("id").value();
+        std::string id = well_formed(node.attribute("id").value());
         if (id.empty() || ids.contains(id))
             id = fmt::format("{}@{}:{}", id.empty() ? local_name(node.name()) : id, spot.line, spot.column);
-        ids.insert(id);
+        while (!ids.insert(id).second) id += '+';
         return id;
     }
 
@@ -300,7 +223,7 @@ struct Walk {
 
         auto outline = outline_of(node, kind, around);
         if (outline.state == ValueState::refused) return refuse(node, outline.message);
-        if (outline.over_limit)
+        if (outline.over_limit || outline.segments > limits.segments - segments)
             return refuse(node, fmt::format("more than {} path segments in the file", limits.segments),
                           "simplify the drawing");
         if (error) return;
@@ -337,8 +260,9 @@ struct Walk {
         std::string_view name = node.attribute("inkscape:label").value();
         if (name.empty()) name = node.attribute("id").value();
         if (name.empty()) return;
+        constexpr std::size_t longest = 300;  // every shape holds its copy
         if (!around.layer.empty()) around.layer += '/';
-        around.layer += name;
+        around.layer = clipped(around.layer + std::string(name), longest);
     }
 
     /// False when nothing of it can be seen.

@@ -66,6 +66,7 @@ constexpr std::array properties = std::to_array<NamedProperty>({
     {"vector-effect", Property::vector_effect},
     {"visibility", Property::visibility},
 });
+static_assert(std::ranges::is_sorted(properties, {}, &NamedProperty::name));
 
 std::optional<Property> property_named(std::string_view name) {
     const auto found = std::ranges::lower_bound(properties, name, {}, &NamedProperty::name);
