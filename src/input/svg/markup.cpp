@@ -141,12 +141,18 @@ Spot spot_at(const std::vector<std::size_t>& line_starts, std::size_t offset) {
             static_cast<int>(offset - line_starts[static_cast<std::size_t>(line) - 1]) + 1};
 }
 
-Error parse_error(const Markup& markup, const pugi::xml_parse_result& result, std::size_t last) {
+/// `original`: the text before the parser changed it; `last`: its last byte that is no space.
+Error parse_error(const Markup& markup, const pugi::xml_parse_result& result, std::string_view original,
+                  std::size_t last) {
     const auto offset = std::min(last, static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, result.offset)));
     const auto [line, column] = spot_at(markup.line_starts, offset);
     const auto reason = [&]() -> std::string {
         using namespace pugi;
-        const bool at_end = offset >= last;
+        // For an attribute that never ends the parser names the place where it begins.
+        const bool open_quote = result.status == status_bad_attribute && offset > 0 &&
+                                (original[offset - 1] == '"' || original[offset - 1] == '\'') &&
+                                original.find(original[offset - 1], offset) == std::string_view::npos;
+        const bool at_end = offset >= last || open_quote;
         switch (result.status) {
             case status_no_document_element:
                 return "no element in it: not an SVG";
@@ -207,14 +213,18 @@ Outcome<std::unique_ptr<Markup>> parse_markup(std::string_view bytes, const Limi
         pugi::parse_escapes | pugi::parse_wconv_attribute | pugi::parse_eol | pugi::parse_doctype;
     const auto result = markup->tree.load_buffer_inplace(markup->text.data(), markup->text.size(), options,
                                                          pugi::encoding_utf8);
-    if (!result) return tl::unexpected(parse_error(*markup, result, last));
+    if (!result) {
+        Warnings told_already;
+        return tl::unexpected(parse_error(*markup, result, utf8_text(bytes, told_already), last));
+    }
     if (auto expanded = expand_entities(*markup); !expanded) return tl::unexpected(expanded.error());
     return markup;
 }
 
 Spot spot_of(const Markup& markup, pugi::xml_node node) {
     const auto offset = node.offset_debug();
-    return offset < 0 ? Spot{} : spot_at(markup.line_starts, static_cast<std::size_t>(offset));
+    // pugixml names where the element's name begins: its bracket stands one before
+    return offset < 1 ? Spot{} : spot_at(markup.line_starts, static_cast<std::size_t>(offset) - 1);
 }
 
 std::string well_formed(std::string_view text) {

@@ -95,6 +95,11 @@ std::string character_text(const Scanner& scanner) {
     return c > ' ' && c < 127 ? fmt::format("'{}'", c) : std::string("an odd character");
 }
 
+std::string refused_number(const Scanner& scanner) {
+    return fmt::format("a number that is not finite or beyond {:g} at character {}", largest_number,
+                       scanner.at + 1);
+}
+
 struct Reader {
     Scanner scanner;
     Pen pen;
@@ -104,8 +109,7 @@ struct Reader {
     bool stop(ValueState state, std::string_view wanted) {
         result.state = state;
         result.message = state == ValueState::refused
-                             ? fmt::format("a number that is not finite or beyond {:g} at character {}",
-                                           largest_number, scanner.at + 1)
+                             ? refused_number(scanner)
                              : fmt::format("{} expected, {} found at character {}", wanted,
                                            character_text(scanner), scanner.at + 1);
         return false;
@@ -227,11 +231,9 @@ Outline read_points(std::string_view points, bool closed, std::size_t max_segmen
     const auto stop = [&](ValueState state) {
         result.state = state;
         result.message = state == ValueState::refused
-                             ? "a number that is not finite or too large in points"
-                             : fmt::format(
-                                   "{} found at character {} of points where a pair of "
-                                   "numbers was expected",
-                                   character_text(scanner), scanner.at + 1);
+                             ? refused_number(scanner)
+                             : fmt::format("a pair of numbers expected, {} found at character {}",
+                                           character_text(scanner), scanner.at + 1);
     };
     while (!scanner.done()) {
         const auto x = take_number(scanner);
