@@ -113,7 +113,8 @@ TEST(House, TheLibraryOpensNoFilesPrintsNothingAndReadsNoClock) {
 
 TEST(House, OnlyThePictureRoomIncludesCairo) {
     for_each_source([&](const fs::path& path, const std::string& room, const std::string& text) {
-        if (room != "picture") EXPECT_EQ(text.find("cairo"), std::string::npos) << path;
+        if (room == "picture") return;
+        EXPECT_EQ(text.find("cairo"), std::string::npos) << path;
     });
 }
 
