@@ -45,20 +45,19 @@ struct Canvas {
 
 enum class Place { fit, actual, width, scale };
 struct DrawingOptions {
-    Canvas canvas;        ///< metres
+    Canvas canvas{};      ///< metres
     double margin = 0.5;  ///< metres kept free round the drawing (fit)
     Place place = Place::fit;
-    double place_width = 0;  ///< metres, for Place::width: the drawing's width on the ground
-    double scale_denominator =
-        0;  ///< for Place::scale, 1:50 -> 50: a metre of the SVG's own size becomes 1/50 m
-    std::optional<Point> position;  ///< metres: lower left corner of the drawing's box; default: centred
-    double rotate = 0;              ///< radians, counter-clockwise, before fitting
-    bool mirror = false;            ///< left and right swapped, before rotating
-    double tolerance = 0.002;       ///< metres: flattening of regions
-    double join_tolerance = 0.005;  ///< metres: line ends that near are one point
-    double min_length = 0.01;       ///< metres: shorter lines are dropped and counted
-    double min_area = 0.0;          ///< m^2: smaller regions are dropped and counted
-    double ink_threshold = 0.9;     ///< relative luminance above which paint is bare sand
+    double place_width = 0;              ///< metres, for Place::width: the drawing's width on the ground
+    double scale_denominator = 0;        ///< for Place::scale, 1:50 -> 50: a metre of the SVG becomes 1/50 m
+    std::optional<Point> position = {};  ///< metres: lower left corner of the drawing's box; default: centred
+    double rotate = 0;                   ///< radians, counter-clockwise, before fitting
+    bool mirror = false;                 ///< left and right swapped, before rotating
+    double tolerance = 0.002;            ///< metres: flattening of regions
+    double join_tolerance = 0.005;       ///< metres: line ends that near are one point
+    double min_length = 0.01;            ///< metres: shorter lines are dropped and counted
+    double min_area = 0.0;               ///< m^2: smaller regions are dropped and counted
+    double ink_threshold = 0.9;          ///< relative luminance above which paint is bare sand
 };
 
 /// What was done to the file's shapes on the way.

@@ -9,6 +9,9 @@ namespace {
 
 // Flattening takes its part of the tolerance at both curves; half of it remains for true differences.
 constexpr double flattening_share = 0.25;
+// Of the length: neighbouring pieces of a finely chopped curve differ by a whole length, and are not each
+// other's copy.
+constexpr double length_share = 0.1;
 
 /// A chain by share of its length, 0..1; a closed one runs on beyond both.
 struct Measured {
@@ -61,14 +64,19 @@ bool runs_along(const Measured& a, const Measured& b, double offset, double sens
 }
 
 bool same_chain(const Measured& a, const Measured& b, double tolerance) {
+    tolerance = std::min(tolerance, length_share * std::min(a.total, b.total));
     if (a.closed != b.closed || a.points.size() < 2 || b.points.size() < 2) return false;
     const double offset = a.closed ? b.nearest_share(a.points.front()) : 0;
     return runs_along(a, b, offset, 1, tolerance) || runs_along(a, b, a.closed ? offset : 1, -1, tolerance);
 }
 
 Measured measured(const Element& element, double tolerance) {
-    if (const auto* line = std::get_if<LineElement>(&element.what))
-        return {flattened(line->path, tolerance * flattening_share), line->path.closed};
+    if (const auto* line = std::get_if<LineElement>(&element.what)) {
+        const Box box = bounds(line->path);
+        const double extent = box.width() + box.height();
+        const double chord_error = extent > 0 ? std::min(tolerance, length_share * extent) : tolerance;
+        return {flattened(line->path, flattening_share * chord_error), line->path.closed};
+    }
     return {std::get<RegionElement>(element.what).region.outer, true};
 }
 
@@ -82,9 +90,6 @@ bool same_holes(const Region& a, const Region& b, double tolerance) {
 
 bool same(const Element& a, const Element& b, double tolerance) {
     if (is_region(a) != is_region(b)) return false;
-    const Box box_a = bounds(a), box_b = bounds(b);
-    if (distance(box_a.low, box_b.low) > 2 * tolerance || distance(box_a.high, box_b.high) > 2 * tolerance)
-        return false;
     if (!same_chain(measured(a, tolerance), measured(b, tolerance), tolerance)) return false;
     return !is_region(a) || same_holes(std::get<RegionElement>(a.what).region,
                                        std::get<RegionElement>(b.what).region, tolerance);
@@ -94,8 +99,10 @@ bool same(const Element& a, const Element& b, double tolerance) {
 
 void drop_duplicates(std::vector<Element>& elements, double tolerance, DrawingCounts& counts) {
     if (!(tolerance > 0)) return;
+    std::vector<Box> boxes;
     std::vector<Point> corners;
-    for (const Element& element : elements) corners.push_back(bounds(element).low);
+    for (const Element& element : elements) boxes.push_back(bounds(element));
+    for (const Box& box : boxes) corners.push_back(box.low);
     // Equal within the tolerance: box corners within its diagonal.
     const NearIndex index(corners, 2 * tolerance);
     std::vector<bool> dropped(elements.size(), false);
@@ -103,7 +110,8 @@ void drop_duplicates(std::vector<Element>& elements, double tolerance, DrawingCo
         if (dropped[i]) continue;
         index.visit_near(corners[i], [&](int other) {
             const auto j = static_cast<std::size_t>(other);
-            if (j <= i || dropped[j] || !same(elements[i], elements[j], tolerance)) return true;
+            if (j <= i || dropped[j] || distance(boxes[i].high, boxes[j].high) > 2 * tolerance) return true;
+            if (!same(elements[i], elements[j], tolerance)) return true;
             dropped[j] = true;
             ++counts.duplicates;
             if (auto* kept = std::get_if<LineElement>(&elements[i].what))

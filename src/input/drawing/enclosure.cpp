@@ -24,7 +24,7 @@ struct Outline {
         band_height = std::max(box.height() / static_cast<double>(count), std::numeric_limits<double>::min());
         bands.resize(count);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto [first, last] = std::minmax(points[i].y, next(i).y);
+            const auto [first, last] = std::minmax({points[i].y, next(i).y});
             for (std::size_t b = band(first); b <= band(last); ++b) bands[b].push_back(i);
         }
     }
@@ -60,7 +60,7 @@ std::vector<double> meetings(const Outline& outline, Point a, Point b, double to
     std::vector<double> shares{0, 1};
     const Point along = b - a;
     const double n = dot(along, along);
-    const auto [first, last] = std::minmax(a.y, b.y);
+    const auto [first, last] = std::minmax({a.y, b.y});
     const Box reach = grown(including(including(Box{}, a), b), tolerance);
     for (std::size_t k = outline.band(first - tolerance); k <= outline.band(last + tolerance); ++k)
         for (const std::size_t i : outline.bands[k]) {

@@ -10,6 +10,8 @@ namespace strandline::drawing_parts {
 namespace {
 
 constexpr svg::Colour start_mark{0, 255, 0};
+// Widths that went through transforms: 3 must not become 3.0000001 and two pins more.
+constexpr double width_slack = 1e-6;
 
 double linear(double channel) {
     return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
@@ -20,7 +22,7 @@ double linear(double channel) {
 int pins_by_sizes(const std::vector<double>& sizes, const Robot& robot, double width) {
     constexpr std::array<int, 5> of_seven{0, 1, 3, 5, 7};
     std::size_t step = 0;
-    while (step + 1 < sizes.size() && width > sizes[step]) ++step;
+    while (step + 1 < sizes.size() && width > sizes[step] * (1 + width_slack)) ++step;
     const int wanted = of_seven[std::min(step, of_seven.size() - 1)];
     if (wanted == 0 || robot.pins == 7) return wanted;
     return std::clamp(static_cast<int>(std::lround(wanted * robot.pins / 7.0)), 1, robot.pins);

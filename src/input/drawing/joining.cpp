@@ -173,7 +173,9 @@ std::vector<NearIndex::Cell>::const_iterator NearIndex::lower(const Cell& wanted
 }
 
 void join_lines(std::vector<Element>& elements, double tolerance, DrawingCounts& counts) {
-    // First what truly meets: a curve made of many short pieces has more than two ends within the wide
+    // A ring is a ring, whatever touches it where it closes.
+    close_rings(elements, tolerance);
+    // Then what truly meets: a curve made of many short pieces has more than two ends within the wide
     // tolerance everywhere.
     join_within(elements, std::min(rounding, tolerance > 0 ? tolerance : rounding), counts);
     if (tolerance > rounding) join_within(elements, tolerance, counts);

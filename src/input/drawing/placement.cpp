@@ -114,7 +114,7 @@ Outcome<Placement> placed(const svg::Document& document, const std::vector<Inked
     if (box.empty() || (box.width() == 0 && box.height() == 0))
         return fail("drawing", "nothing to draw: all shapes are single points", "draw lines or areas");
     auto scale = scale_for(box, document, options);
-    if (scale) {
+    if (scale && std::isfinite(*scale)) {
         box = drawn_box(shapes, turn, robot, *scale);
         scale = scale_for(box, document, options);
     }
