@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "input/drawing/parts.hpp"
@@ -10,28 +11,60 @@ namespace {
 
 constexpr double flattening_share = 0.25;  // of the tolerance within which outlines touch
 
-/// A closed outline with its edges in horizontal bands, so that a point meets few of them.
+/// A closed outline with its edges in rows, so that a ray meets few of them, and the rows in cells, so that a
+/// place does. About sqrt(n) of each: even a comb of n tall edges keeps to n^1.5 entries.
 struct Outline {
+    using Edges = std::vector<std::size_t>;  ///< edge i: points[i] to the next
     Polygon points;
     Box box;
-    double low = 0, band_height = 1;
-    std::vector<std::vector<std::size_t>> bands;  ///< edge i: points[i] to the next
+    std::size_t count = 1;
+    Point cell;  ///< size
+    std::vector<Edges> rows, cells;
 
     explicit Outline(Polygon polygon) : points(std::move(polygon)), box(bounds(points)) {
-        // sqrt(n) bands: even a comb of n tall edges keeps to n^1.5 entries.
-        const auto count = static_cast<std::size_t>(std::sqrt(static_cast<double>(points.size()))) + 1;
-        low = box.low.y;
-        band_height = std::max(box.height() / static_cast<double>(count), std::numeric_limits<double>::min());
-        bands.resize(count);
+        count = static_cast<std::size_t>(std::sqrt(static_cast<double>(points.size()))) + 1;
+        const double least = std::numeric_limits<double>::min();
+        cell = {std::max(box.width() / static_cast<double>(count), least),
+                std::max(box.height() / static_cast<double>(count), least)};
+        rows.resize(count);
+        cells.resize(count * count);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto [first, last] = std::minmax({points[i].y, next(i).y});
-            for (std::size_t b = band(first); b <= band(last); ++b) bands[b].push_back(i);
+            const auto [low, high] = std::minmax({points[i].y, next(i).y});
+            for (std::size_t r = row(low); r <= row(high); ++r) rows[r].push_back(i);
+            visit_cells(points[i], next(i), 0, [&](std::size_t c) {
+                cells[c].push_back(i);
+                return true;
+            });
         }
     }
     Point next(std::size_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
-    std::size_t band(double y) const {
-        return static_cast<std::size_t>(
-            std::clamp((y - low) / band_height, 0.0, static_cast<double>(bands.size() - 1)));
+    std::size_t row(double y) const { return step((y - box.low.y) / cell.y); }
+    std::size_t column(double x) const { return step((x - box.low.x) / cell.x); }
+
+    /// visit(cell) for the cells within `margin` of segment ab (and perhaps a few more), until it says false;
+    /// says whether it went through.
+    template <class Visit>
+    bool visit_cells(Point a, Point b, double margin, Visit visit) const {
+        if (a.y > b.y) std::swap(a, b);
+        const auto x_at = [&](double y) {
+            return b.y > a.y ? between(a, b, std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0)).x : a.x;
+        };
+        const std::size_t first = row(a.y - margin), last = row(b.y + margin);
+        for (std::size_t r = first; r <= last; ++r) {
+            // The outer rows also stand for what lies beyond the box.
+            const double bottom = r == first ? a.y : box.low.y + static_cast<double>(r) * cell.y - margin;
+            const double top = r == last ? b.y : box.low.y + static_cast<double>(r + 1) * cell.y + margin;
+            auto [left, right] = std::minmax({x_at(bottom), x_at(top)});
+            if (a.y == b.y) std::tie(left, right) = std::minmax({a.x, b.x});
+            for (std::size_t c = column(left - margin); c <= column(right + margin); ++c)
+                if (!visit(r * count + c)) return false;
+        }
+        return true;
+    }
+
+  private:
+    std::size_t step(double v) const {
+        return static_cast<std::size_t>(std::clamp(v, 0.0, static_cast<double>(count - 1)));
     }
 };
 
@@ -40,7 +73,7 @@ struct Outline {
 bool winds_round(const Outline& outline, Point p) {
     if (!contains(outline.box, p)) return false;
     int winding = 0;
-    for (const std::size_t i : outline.bands[outline.band(p.y)]) {
+    for (const std::size_t i : outline.rows[outline.row(p.y)]) {
         const Point a = outline.points[i], b = outline.next(i);
         if ((a.y > p.y) == (b.y > p.y)) continue;
         if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) winding += b.y > a.y ? 1 : -1;
@@ -49,41 +82,50 @@ bool winds_round(const Outline& outline, Point p) {
 }
 
 bool is_near(const Outline& outline, Point p, double tolerance) {
-    for (std::size_t b = outline.band(p.y - tolerance); b <= outline.band(p.y + tolerance); ++b)
-        for (const std::size_t i : outline.bands[b])
-            if (distance_to_segment(p, outline.points[i], outline.next(i)) <= tolerance) return true;
-    return false;
+    return !outline.visit_cells(p, p, tolerance, [&](std::size_t cell) {
+        return std::ranges::none_of(outline.cells[cell], [&](std::size_t i) {
+            return distance_to_segment(p, outline.points[i], outline.next(i)) <= tolerance;
+        });
+    });
 }
 
-/// Where the outline crosses or touches segment ab, as shares.
+/// Where the outline crosses or touches segment ab, as shares, with both ends.
 std::vector<double> meetings(const Outline& outline, Point a, Point b, double tolerance) {
     std::vector<double> shares{0, 1};
     const Point along = b - a;
     const double n = dot(along, along);
-    const auto [first, last] = std::minmax({a.y, b.y});
-    const Box reach = grown(including(including(Box{}, a), b), tolerance);
-    for (std::size_t k = outline.band(first - tolerance); k <= outline.band(last + tolerance); ++k)
-        for (const std::size_t i : outline.bands[k]) {
+    outline.visit_cells(a, b, tolerance, [&](std::size_t cell) {
+        for (const std::size_t i : outline.cells[cell]) {
             const Point c = outline.points[i], d = outline.next(i);
-            if (!overlaps(reach, including(including(Box{}, c), d))) continue;
             if (const auto hit = crossing(a, b, c, d)) shares.push_back(hit->s);
             if (n > 0 && distance_to_segment(c, a, b) <= tolerance)
                 shares.push_back(std::clamp(dot(c - a, along) / n, 0.0, 1.0));
         }
+        return true;
+    });
     std::ranges::sort(shares);
     return shares;
 }
 
 /// No part of the chain leaves the outline by more than the tolerance.
 bool encloses(const Outline& outline, const std::vector<Point>& chain, bool closed, double tolerance) {
-    const auto within = [&](Point p) { return winds_round(outline, p) || is_near(outline, p, tolerance); };
-    if (!std::ranges::all_of(chain, within)) return false;
+    const auto within = [&](Point p) { return is_near(outline, p, tolerance) || winds_round(outline, p); };
+    if (!within(chain.front())) return false;
     const std::size_t edges = closed ? chain.size() : chain.size() - 1;
+    bool certain =
+        true;  // nothing met since the last point that was tested: this one lies where that one does
     for (std::size_t i = 0; i < edges; ++i) {
         const Point a = chain[i], b = chain[i + 1 == chain.size() ? 0 : i + 1];
         const std::vector<double> shares = meetings(outline, a, b, tolerance);
-        for (std::size_t k = 1; k < shares.size(); ++k)
-            if (!within(between(a, b, (shares[k - 1] + shares[k]) / 2))) return false;
+        if (shares.size() == 2 && certain) continue;
+        for (std::size_t k = 1; k < shares.size(); ++k) {
+            // A short piece between two places on the outline cannot go far.
+            const bool tied = k > 1 && k + 1 < shares.size() &&
+                              (shares[k] - shares[k - 1]) * distance(a, b) <= 2 * tolerance;
+            if (!tied && !within(between(a, b, (shares[k - 1] + shares[k]) / 2))) return false;
+        }
+        if (!within(b)) return false;
+        certain = !is_near(outline, b, tolerance);
     }
     return true;
 }
