@@ -50,7 +50,8 @@ TEST(Enclosure, ALineThatEndsNearTheWallsOfABayIsNotInside) {
     const Path u =
         path_through({{0, 0}, {90, 0}, {90, 90}, {70, 90}, {70, 20}, {20, 20}, {20, 90}, {0, 90}}, true);
     for (const double gap : {0.0, 0.002, 0.1})
-        EXPECT_EQ(nested({filled({u}), stroked(line({{20 + gap, 50}, {70 - gap, 60}}))}), (Insides{-1, -1}));
+        EXPECT_EQ(nested({filled({u}), stroked(line({{20 + gap, 50}, {70 - gap, 60}}))}), (Insides{-1, -1}))
+            << gap;
     for (const double gap : {0.002, 0.1})
         EXPECT_EQ(nested({filled({u}), stroked(line({{gap, 50}, {20 - gap, 60}}))}), (Insides{-1, 0}));
 }
