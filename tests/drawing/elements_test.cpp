@@ -143,6 +143,17 @@ TEST(Drawing, TheStrokesInnerHalfClosesAHoleThatIsNarrowerThanIt) {
     EXPECT_TRUE(region_of(d, 0).holes.empty());
 }
 
+TEST(Drawing, AnOpenSubpathsClosingLineIsFilledToButNotStroked) {
+    // Three sides of the square are stroked, with flat ends; the corners between them are round.
+    const Drawing d = drawn({shape({line({{20, 20}, {60, 20}, {60, 60}, {20, 60}})}, black, black, 2)});
+    EXPECT_NEAR(area(region_of(d, 0)), 40 * 40 + 3 * 40 + pi / 2, 0.01);
+}
+
+TEST(Drawing, AWhiskerOfAFillIsStroked) {
+    const Path whisker = path_through({{20, 20}, {60, 20}, {90, 20}, {60, 20}, {60, 60}, {20, 60}}, true);
+    EXPECT_NEAR(bounds(drawn({shape({whisker}, black, black, 2)})).width(), 72, 0.01);
+}
+
 TEST(Drawing, AHairlineOnAFillAddsNothing) {
     const Drawing d = drawn({shape({square({20, 20}, 40)}, black, black, 0.05)});
     ASSERT_EQ(d.elements.size(), 1u);

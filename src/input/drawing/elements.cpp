@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -37,6 +38,25 @@ Regions stroked(const std::vector<Path>& paths, const svg::Shape& shape, double 
     const Regions lines = open.empty() ? Regions{} : swept(open, false, radius, cap_of(shape.cap));
     const Regions rings = closed.empty() ? Regions{} : swept(closed, true, radius);
     return lines.empty() ? rings : rings.empty() ? lines : united(lines, rings);
+}
+
+/// The area with its stroke. Growing is several times as fast as sweeping and uniting, but knows only the
+/// area's own outline: not where a subpath is open, nor a whisker without area.
+Regions grown_by_stroke(const Regions& area, const std::vector<Path>& paths, const svg::Shape& shape,
+                        double radius, double tolerance) {
+    double outline = 0, drawn = 0;
+    bool closed = true;
+    for (const Region& region : area) {
+        outline += perimeter(region.outer);
+        for (const Polygon& hole : region.holes) outline += perimeter(hole);
+    }
+    for (const Path& path : paths) {
+        drawn += perimeter(flattened(path, tolerance));
+        closed = closed && path.closed;
+    }
+    constexpr double same_outline = 1e-3;
+    if (closed && std::abs(outline - drawn) <= same_outline * drawn) return inset(area, -radius, tolerance);
+    return united(area, stroked(paths, shape, radius, tolerance));
 }
 
 class Ids {
@@ -87,9 +107,9 @@ std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placeme
         Inked rest = inked;
         rest.fill = had_fill;
         if (stroke_is_area(rest, robot, placement.scale)) {
-            const Regions stroke =
-                stroked(paths, shape, shape.stroke_width * placement.scale / 2, options.tolerance);
-            area = area.empty() ? stroke : united(area, stroke);
+            const double radius = shape.stroke_width * placement.scale / 2;
+            area = had_fill ? grown_by_stroke(area, paths, shape, radius, options.tolerance)
+                            : stroked(paths, shape, radius, options.tolerance);
             if (!had_fill) ++counts.wide_strokes;
         }
         if (had_fill && inked.stroke) ++counts.merged;

@@ -112,7 +112,8 @@ bool encloses(const Outline& outline, const std::vector<Point>& chain, bool clos
     const auto within = [&](Point p) { return is_near(outline, p, tolerance) || winds_round(outline, p); };
     if (!within(chain.front())) return false;
     const std::size_t edges = closed ? chain.size() : chain.size() - 1;
-    // Where nothing is met, the next point lies where this one does: unless this one is only near, and outside.
+    // Where nothing is met, the next point lies where this one does: unless this one is only near, and
+    // outside.
     bool certain = !is_near(outline, chain.front(), tolerance);
     for (std::size_t i = 0; i < edges; ++i) {
         const Point a = chain[i], b = chain[i + 1 == chain.size() ? 0 : i + 1];
