@@ -88,7 +88,7 @@ void lay_legend(Sketch& sketch, const Plan& plan) {
     sketch.caption_at = {left + title_width, y};
     y -= 2 * em;
     const double rule = rule_length(sketch.view.width() / 7);
-    const auto add = [&, x = left](LegendItem::Sign sign, double width, std::string text) mutable {
+    auto add = [&, x = left](LegendItem::Sign sign, double width, std::string text) mutable {
         const double advance = static_cast<double>(text.size()) * letter_advance * em;
         sketch.legend.push_back(
             {sign, {x, y}, {x + width + gap * em, y - 0.34 * em}, width, std::move(text)});
