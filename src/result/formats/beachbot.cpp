@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "result/formats/formats.hpp"
+#include "result/formats/instants.hpp"
 #include "result/formats/json_text.hpp"
 
 namespace strandline::formats {
@@ -12,6 +13,8 @@ namespace {
 constexpr int text_pins = 7;  // the column's bits 6 (leftmost) to 0
 constexpr unsigned turn_here = 128, end_here = 129;
 constexpr double widest_step = 0.05;  // m: the robot's controller expects points at most this far apart
+constexpr double longest_move =
+    1e4;  // m between two samples: a jump, which `check` names; not to be filled in
 constexpr int decimals = 6;
 
 /// A mask of the robot's own pins as one of seven: fewer pins sit in the middle (one pin: bit 3), of more
@@ -46,22 +49,14 @@ class PairWriter {
     Text robot_, rake_;
 };
 
-/// Instants between two samples, so that neither the robot nor the rake goes further than `widest_step` in a
+/// Lines between two samples, so that neither the robot nor the rake goes further than `widest_step` in a
 /// line.
 void lines_between(PairWriter& out, const Robot& robot, const Sample& a, const Sample& b, unsigned column) {
-    const double chord = distance(a.pose.at, b.pose.at);
-    const double farthest = std::max(chord, distance(a.rake, b.rake));
-    if (!(farthest > widest_step) || !(farthest < 1e6))
-        return;  // 1 000 km in a step: `check` names that jump
-    const double turn = wrap_angle(b.pose.heading - a.pose.heading);
-    const RobotPath path{{0, a.pose, a.curvature}, {chord, {b.pose.at, a.pose.heading + turn}, b.curvature}};
+    const double farthest = farthest_move(a, b);
+    if (!(farthest > widest_step) || !(farthest < longest_move)) return;
     // A tenth closer than the limit: the rake does not move evenly while the robot does.
-    const double parts = std::ceil(farthest / (0.9 * widest_step));
-    for (double k = 1; k < parts; ++k) {
-        const Pose pose = chord > 0 ? state_at(path, chord * k / parts).pose
-                                    : Pose{a.pose.at, a.pose.heading + turn * k / parts};
-        out.line(pose.at, rake_at(robot, pose), column);
-    }
+    for (const Instant& at : instants_between(robot, a, b, std::ceil(farthest / (0.9 * widest_step))))
+        out.line(at.pose.at, at.rake, column);
 }
 
 }  // namespace

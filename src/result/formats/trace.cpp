@@ -1,12 +1,17 @@
 // A plan as the trace judges read it: what was to be drawn, and what is driven in order.
+#include <cmath>
+
 #include "result/formats/formats.hpp"
+#include "result/formats/instants.hpp"
 #include "result/formats/json_text.hpp"
 #include "result/sketch/sketch.hpp"
 
 namespace strandline::formats {
 namespace {
 
-constexpr int decimals = 6;  // a micrometre: 0.001 1/m of curvature over 5 cm chords
+constexpr int decimals = 7;            // a tenth of a micrometre: 0.0001 1/m of curvature over 5 cm chords
+constexpr double travel_step = 0.004;  // m
+constexpr double longest_move = 10;    // m between two samples: a jump; not to be filled in
 
 void add_points(Text& text, const std::vector<Point>& points) {
     const char* before = "[";
@@ -51,10 +56,22 @@ void add_targets(Text& text, const Plan& plan) {
     add(text, "]}");
 }
 
+/// Points of a run. Rake up they are `travel_step` apart: the judge measures curvature on chords of 5 cm
+/// between points on straight lines from point to point, and finds 2.08 where samples 2 cm apart drive an arc
+/// of 2.00 1/m.
 std::vector<Point> track(const Plan& plan, const sketch::Run& run, bool robot_path) {
-    if (!robot_path) return sketch::bar_track(plan.samples, run, 0);
     std::vector<Point> points;
-    for (std::size_t i = run.first; i <= run.last; ++i) points.push_back(plan.samples[i].pose.at);
+    const auto add_point = [&](Pose pose, Point rake) { points.push_back(robot_path ? pose.at : rake); };
+    for (std::size_t i = run.first; i <= run.last; ++i) {
+        const Sample& sample = plan.samples[i];
+        add_point(sample.pose, sample.rake);
+        if (run.draws || run.mask != 0 || i == run.last) continue;
+        const double farthest = farthest_move(sample, plan.samples[i + 1]);
+        if (!(farthest < longest_move)) continue;
+        const double parts = std::ceil(farthest / travel_step);
+        for (const Instant& at : instants_between(plan.robot, sample, plan.samples[i + 1], parts))
+            add_point(at.pose, at.rake);
+    }
     return points;
 }
 
