@@ -149,9 +149,9 @@ TEST(Trace, TheJudgeMeasuresWhatWasDriven) {
 
 TEST(PlanSvg, DrawsGroovesAtTrueWidthAndEverythingWithYDown) {
     const std::string svg = formats::write_svg(sample_plan());
-    EXPECT_EQ(count(svg, "<path stroke-width=\"42.0\""), 2U) << "seven pins, in centimetres";
-    EXPECT_EQ(count(svg, "<path stroke-width=\"18.0\""), 1U);
-    EXPECT_EQ(count(svg, "<path stroke-width=\"6.0\""), 1U);
+    EXPECT_EQ(count(svg, "<path stroke-width=\"42.00\""), 2U) << "seven pins, in centimetres";
+    EXPECT_EQ(count(svg, "<path stroke-width=\"18.00\""), 1U);
+    EXPECT_EQ(count(svg, "<path stroke-width=\"6.00\""), 1U);
     for (const char* part :
          {"stroke-linecap=\"butt\"", "<title id=\"title\">two lines and a &quot;door&quot; &lt;é>",
           "<desc id=\"desc\">", "id=\"rake-up\"", "id=\"arrows\"", "id=\"legend\"", "<circle", ">1 m<"})
@@ -164,7 +164,15 @@ TEST(PlanSvg, DrawsGroovesAtTrueWidthAndEverythingWithYDown) {
         std::sscanf(svg.c_str() + svg.find(" d=\"M", at) + 5, "%lf %lf", &x, &y);
         return y;
     };
-    EXPECT_NEAR(y_of("6.0") - y_of("18.0"), 100, 0.2);
+    EXPECT_NEAR(y_of("6.00") - y_of("18.00"), 100, 0.2);
+}
+
+TEST(PlanSvg, OnASheetOfPaperHalfAMillimetreIsStillAWidth) {
+    Plan plan = sample_plan();
+    plan.robot.pin_pitch = 0.0005;
+    plan.drawing.canvas = {0.297, 0.21};
+    for (Sample& sample : plan.samples) sample.rake = 0.02 * sample.rake;
+    EXPECT_EQ(count(formats::write_svg(plan), "<path stroke-width=\"5.00\""), 1U) << "tenths of a millimetre";
 }
 
 TEST(Csv, HasALineASampleAndArcLengthThatGrowsAsTheRobotDrives) {

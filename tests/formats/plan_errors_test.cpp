@@ -134,7 +134,7 @@ std::string injured(std::string text, std::uint64_t seed) {
 TEST(PlanErrors, AnInjuredFileGivesAPlanOrOneErrorAndNeverACrash) {
     const std::string text = good();
     EXPECT_TRUE(rc::check("injured files", [&](std::uint64_t seed) {
-        const auto plan = formats::read_plan(injured(text, seed), "");
+        const auto plan = formats::read_plan(injured(text, seed), "file");
         return plan ? formats::read_plan(formats::write_plan(*plan), "").has_value()
                     : !plan.error().place.empty() && !plan.error().reason.empty();
     }));

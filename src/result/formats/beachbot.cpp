@@ -31,7 +31,12 @@ unsigned as_seven(unsigned mask, int pins) {
 
 class PairWriter {
   public:
+    /// A robot that stands and waits is one line: a segment has a length, and this text has no time.
     void line(Point robot, Point rake, unsigned column) {
+        if (robot == last_robot_ && rake == last_rake_ && column == last_column_) return;
+        last_robot_ = robot;
+        last_rake_ = rake;
+        last_column_ = column;
         line(robot_, robot, column);
         line(rake_, rake, column);
     }
@@ -47,6 +52,8 @@ class PairWriter {
         add(text, "\n");
     }
     Text robot_, rake_;
+    Point last_robot_, last_rake_;
+    unsigned last_column_ = 999;  // no line yet
 };
 
 /// Lines between two samples, so that neither the robot nor the rake goes further than `widest_step` in a

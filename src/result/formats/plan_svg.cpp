@@ -1,4 +1,6 @@
-// A plan as an SVG picture. One user unit is a centimetre on the canvas; y is turned down, as SVG has it.
+// A plan as an SVG picture: true to scale, y turned down, as SVG has it.
+#include <cmath>
+
 #include "result/formats/formats.hpp"
 #include "result/formats/json_text.hpp"
 #include "result/sketch/sketch.hpp"
@@ -9,23 +11,28 @@ namespace {
 using sketch::LegendItem;
 using sketch::Sketch;
 
-constexpr double units_per_metre = 100;
-constexpr int decimals = 1;      // a millimetre
+constexpr int decimals = 2;
 constexpr double pixels = 1000;  // of the picture's width
 constexpr const char *sand = "#efe3c8", *down = "#000", *up = "#d3261a", *start = "#1f8a3b", *end = "#1b4f9c";
 
+/// User units a metre: the power of ten that makes the picture 1,000 to 10,000 units wide. A beach is drawn
+/// in centimetres, a sheet of paper in tenths of a millimetre.
+double units_for(double width) { return std::pow(10, std::ceil(3 - std::log10(width))); }
+
 class SvgWriter {
   public:
-    SvgWriter(Text& out, const Sketch& sketch) : out_(out), sketch_(sketch) {}
+    SvgWriter(Text& out, const Sketch& sketch)
+        : out_(out), sketch_(sketch), units_(units_for(sketch.view.width())) {}
+    double units(double metres) const { return metres * units_; }
 
     template <class... Pieces>
     SvgWriter& put(const Pieces&... pieces) {
         (piece(pieces), ...);
         return *this;
     }
-    double x(Point p) const { return (p.x - sketch_.view.low.x) * units_per_metre; }
-    double y(Point p) const { return (sketch_.view.high.y - p.y) * units_per_metre; }
-    double em(double share = 1) const { return sketch_.em * share * units_per_metre; }
+    double x(Point p) const { return units(p.x - sketch_.view.low.x); }
+    double y(Point p) const { return units(sketch_.view.high.y - p.y); }
+    double em(double share = 1) const { return units(sketch_.em * share); }
 
     void path(const Polyline& track) {
         const char* command = "M";
@@ -39,8 +46,8 @@ class SvgWriter {
         put("Z");
     }
     void box(Box b) {
-        put("x=\"", x(b.low), "\" y=\"", y(b.high), "\" width=\"", b.width() * units_per_metre,
-            "\" height=\"", b.height() * units_per_metre, "\"");
+        put("x=\"", x(b.low), "\" y=\"", y(b.high), "\" width=\"", units(b.width()), "\" height=\"",
+            units(b.height()), "\"");
     }
     void text(Point at, double size, std::string_view content, const char* more = "") {
         put("<text x=\"", x(at), "\" y=\"", y(at), "\" font-size=\"", size, "\"", more, ">");
@@ -68,13 +75,14 @@ class SvgWriter {
 
     Text& out_;
     const Sketch& sketch_;
+    double units_;
 };
 
 void write_grooves(SvgWriter& out, const Plan& plan, const Sketch& sketch) {
     out.put("<g id=\"rake-down\" fill=\"none\" stroke=\"", down,
             "\" stroke-linecap=\"butt\" stroke-linejoin=\"round\">\n");
     for (const sketch::Groove& groove : sketch.grooves) {
-        out.put("<path stroke-width=\"", groove.width * units_per_metre, "\" d=\"");
+        out.put("<path stroke-width=\"", out.units(groove.width), "\" d=\"");
         out.path(sketch::bar_track(plan.samples, groove.run, groove.offset));
         out.put("\"/>\n");
     }
@@ -102,10 +110,9 @@ void write_start(SvgWriter& out, Point at) {
     out.put("<circle cx=\"", out.x(at), "\" cy=\"", out.y(at), "\" r=\"", out.em(0.45), "\" fill=\"", start,
             "\" stroke=\"#fff\" stroke-width=\"", out.em(0.1), "\"/>\n");
 }
-void write_end(SvgWriter& out, Point at) {
-    const double half = 0.4 * out.em() / units_per_metre;
+void write_end(SvgWriter& out, const Sketch& sketch, Point at) {
     out.put("<rect ");
-    out.box(grown({at, at}, half));
+    out.box(grown({at, at}, 0.4 * sketch.em));
     out.put(" fill=\"", end, "\" stroke=\"#fff\" stroke-width=\"", out.em(0.1), "\"/>\n");
 }
 
@@ -130,7 +137,7 @@ void write_sign(SvgWriter& out, const Sketch& sketch, const LegendItem& item) {
             write_start(out, middle);
             break;
         case LegendItem::Sign::end:
-            write_end(out, middle);
+            write_end(out, sketch, middle);
             break;
         case LegendItem::Sign::rule: {
             line(down, out.em(0.1));
@@ -149,26 +156,25 @@ void write_sign(SvgWriter& out, const Sketch& sketch, const LegendItem& item) {
 std::string write_svg(const Plan& plan) {
     const Sketch sketch = sketch::sketched(plan);
     Text text;
-    SvgWriter out(text, sketch);
     if (!sketch::drawable(sketch))
         return "<svg xmlns=\"http://www.w3.org/2000/svg\"><title>a canvas without extent</title></svg>\n";
+    SvgWriter out(text, sketch);
     const double width = sketch.view.width(), height = sketch.view.height();
     out.put("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", pixels, "\" height=\"",
-            pixels * height / width, "\" viewBox=\"0 0 ", width * units_per_metre, " ",
-            height * units_per_metre,
+            pixels * height / width, "\" viewBox=\"0 0 ", out.units(width), " ", out.units(height),
             "\" role=\"img\" aria-labelledby=\"title desc\">\n<title id=\"title\">");
     out.escaped(plan.title.empty() ? "Plan" : plan.title);
     out.put("</title>\n<desc id=\"desc\">What a raking robot draws, in driving order, seen from above. ");
     out.escaped(sketch.caption);
-    out.put(
-        ". One unit is one centimetre.</desc>\n<rect width=\"100%\" height=\"100%\" "
-        "fill=\"#e3d5b4\"/>\n<rect ");
+    out.put(". ", out.units(1),
+            " units are a metre.</desc>\n<rect width=\"100%\" height=\"100%\" "
+            "fill=\"#e3d5b4\"/>\n<rect ");
     out.box(sketch.canvas);
     out.put(" fill=\"", sand, "\" stroke=\"#b9a67c\" stroke-width=\"", out.em(0.06), "\"/>\n");
     write_grooves(out, plan, sketch);
     write_trips(out, sketch);
     if (sketch.driven) {
-        write_end(out, sketch.end);
+        write_end(out, sketch, sketch.end);
         write_start(out, sketch.start.at);
     }
     out.put("<g id=\"legend\" font-family=\"sans-serif\" fill=\"#2b2418\">\n");

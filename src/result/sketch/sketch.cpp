@@ -49,6 +49,8 @@ std::vector<Pose> arrows_on(const Polyline& track, double em) {
     return arrows;
 }
 
+std::string metres_text(double metres) { return fmt::format("{:.{}f} m", metres, metres < 10 ? 2 : 1); }
+
 std::string time_text(double seconds) {
     if (seconds < 120) return fmt::format("{:.0f} s", seconds);
     const double minutes = std::round(seconds / 60);
@@ -78,9 +80,10 @@ void lay_legend(Sketch& sketch, const Plan& plan) {
     const double em = sketch.em;
     const Figures& figures = plan.figures;
     sketch.title = shortened(plan.title);
-    sketch.caption = fmt::format("{} × {} m · {:.1f} m drawn · {:.1f} m rake up · {}",
-                                 plan.drawing.canvas.width, plan.drawing.canvas.height, figures.drawn,
-                                 figures.up_driven + figures.loops_driven, time_text(figures.time));
+    sketch.caption =
+        fmt::format("{:.4g} × {:.4g} m · {} drawn · {} rake up · {}", plan.drawing.canvas.width,
+                    plan.drawing.canvas.height, metres_text(figures.drawn),
+                    metres_text(figures.up_driven + figures.loops_driven), time_text(figures.time));
     const double left = sketch.view.low.x + pad * em;
     double y = sketch.view.low.y - 0.9 * em;
     sketch.title_at = {left, y};
