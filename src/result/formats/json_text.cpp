@@ -3,6 +3,7 @@
 #include <fmt/compile.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 
@@ -38,8 +39,10 @@ void add_number(Text& text, double value) {
         add(text, "null");
     else if (value == 0)
         add(text, std::signbit(value) ? "-0.0" : "0");  // readers take "-0" for the whole number 0
-    else
-        fmt::format_to(fmt::appender(text), FMT_COMPILE("{}"), value);
+    else {
+        char digits[32];  // 24 are the most that a double needs
+        text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+    }
 }
 
 void add_number(Text& text, long long value) {

@@ -25,7 +25,7 @@ struct Colour {
 };
 constexpr Colour beach{0.875, 0.812, 0.675}, canvas{0.937, 0.886, 0.769}, canvas_edge{0.70, 0.62, 0.46};
 constexpr Colour grain_dark{0.45, 0.36, 0.20, 0.16}, grain_light{1, 0.98, 0.92, 0.35};
-constexpr Colour berm{0.99, 0.965, 0.90}, groove{0.13, 0.105, 0.08}, ridge{0.80, 0.70, 0.53, 0.40};
+constexpr Colour berm{0.99, 0.955, 0.87, 0.6}, groove{0.13, 0.105, 0.08}, ridge{0.80, 0.70, 0.53, 0.48};
 constexpr Colour up{0.83, 0.13, 0.09}, start{0.10, 0.56, 0.24}, end{0.10, 0.32, 0.66}, white{1, 1, 1};
 constexpr Colour ink{0.17, 0.14, 0.09};
 
@@ -121,9 +121,8 @@ void paint_grooves(Painter& paint, const Plan& plan, const Sketch& sketch) {
     const auto track = [&](const sketch::Groove& g, double offset) {
         return sketch::bar_track(plan.samples, g.run, g.offset + offset);
     };
-    for (const sketch::Groove& g : sketch.grooves)
-        paint.line(track(g, 0), paint.pixels(g.width) + 2 * paint.em(0.1), berm);
     for (const sketch::Groove& g : sketch.grooves) {
+        paint.line(track(g, 0), paint.pixels(g.width) + 2 * paint.em(0.09), berm);
         // Pin by pin: in a curve the bar stands skew and the band is narrower than its pins side by side.
         constexpr double overlap = 1.06;  // no hairline of sand between neighbours
         for (int pin = 0; pin < g.pins; ++pin)
