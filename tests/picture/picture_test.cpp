@@ -8,6 +8,10 @@
 
 #include "formats/sample_plan.hpp"
 
+/// Asked by the leak sanitizer: fontconfig keeps about 1 KB of patterns to the end, whatever is painted.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
+
 namespace strandline {
 namespace {
 
@@ -52,7 +56,7 @@ TEST(Picture, SizesThatMakeNoSenseAreErrors) {
     plan.samples.clear();
     EXPECT_FALSE(picture::png(plan));
     plan.drawing.canvas = {1e308, 1e308};
-    EXPECT_TRUE(!picture::png(plan, {.pixels = 100}) || true);  // any answer but a crash
+    picture::png(plan, {.pixels = 100});  // any answer but a crash
 }
 
 TEST(Picture, APlanWithoutSamplesOrWithNumbersThatAreNotFiniteIsStillPainted) {
