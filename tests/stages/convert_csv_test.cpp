@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "result/stages/stages.hpp"
 
@@ -34,6 +35,34 @@ TEST(ConvertCsv, BadInputIsRefusedWithItsLine) {
     EXPECT_TRUE(holds(refusal("x,y,pins\n0,1,7,8\n"), "line 2"));
     EXPECT_TRUE(holds(refusal("x,y,pins\n0,1,-7\n"), "whole number"));
     EXPECT_TRUE(holds(refusal("x,y,pins\n0,1,1.5\n"), "whole number"));
+}
+
+TEST(ConvertCsv, AnyPointsAreConvertedOrRefused) {
+    std::mt19937_64 random(2);
+    const auto coordinate = [&] {
+        const int kind = static_cast<int>(random() % 4);
+        return kind == 0 ? 0.0
+                         : static_cast<double>(random() % 2000) * (kind == 1   ? 1e-7
+                                                                   : kind == 2 ? 1e-3
+                                                                               : 1e-1);
+    };
+    for (int i = 0; i < 15; ++i) {
+        RakeRows rows{{{}}};
+        for (int k = 0; k < 12; ++k) rows.strokes[0].push_back({{coordinate(), coordinate()}, 1});
+        const Conversion conversion =
+            converted(rows, *builtin_robot(builtin_robots()[static_cast<std::size_t>(i % 3)]));
+        ASSERT_EQ(conversion.strokes.at(0).size(), 12u);
+        for (const RobotRow& row : conversion.strokes[0]) {
+            EXPECT_TRUE(is_finite(row.pose.at) && is_finite(row.rake));
+            EXPECT_TRUE(std::isfinite(row.pose.heading) && std::isfinite(row.curvature));
+        }
+    }
+}
+
+TEST(ConvertCsv, APathAcrossACountryIsConvertedAtOnce) {
+    const RakeRows rows{{{{{-1e6, 0}, 1}, {{1e6, 0}, 1}, {{1e6, 1e6}, 1}}}};
+    const Conversion conversion = converted(rows, *builtin_robot("beachbot"));
+    EXPECT_NEAR(distance(conversion.strokes.at(0)[1].rake, {1e6, 0}), 0, 1e-3);
 }
 
 TEST(ConvertCsv, OneRowARowAndAnEmptyLineBetweenStrokes) {

@@ -14,9 +14,12 @@ namespace {
 
 constexpr std::string_view rake_header = "x,y,pins";
 // Farther out (metres) a double no longer holds a fraction of a millimetre with room to compute.
-constexpr double farthest = 1e8;
+constexpr double farthest = 1e6;
 // The pins column is a count or a mask of at most 31 bits.
 constexpr double most_pins = 2147483647.0;
+// A path of hundreds of kilometres takes longer steps: only the states at the rows are asked for, and steps
+// end on them.
+constexpr double most_steps = 2e5;
 // States are found again by the rake's arc length, which both sides add up in their own order (metres).
 constexpr double same_s = 1e-7;
 
@@ -78,6 +81,7 @@ std::vector<RobotRow> converted_stroke(const std::vector<RakeRows::Row>& rows, c
     const Clothoid& end = curve.curves.back().pieces.back();
     options.end_delta = steady_delta(robot, end.end_curvature(), options.max_delta);
     options.steady_end = false;
+    options.step = std::max(options.step, curve.s.back() / most_steps);
     const Followed followed = robot_path_for(curve.curves, robot, options);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const RobotState& state = followed.path[state_index(followed, curve.s[i])];
