@@ -210,7 +210,7 @@ inline Plan raked_plan() {
                                                1));
     drive.draw(arc, 1, {{drive.rake(), start + pi / 2}, {{sweep * rake_radius, 1 / rake_radius, 0}}},
                {{sweep * radius, k, 0}});
-    drive.go({{k / sigma, k, -sigma}}).ahead(1.0).turn(-1.6).ahead(0.8);
+    drive.go({{k / sigma, k, -sigma}}).ahead(1.0).turn(-1.6).ahead(1.4);
 
     constexpr double swath = 0.42, edge = 1.6;
     const Point along = unit(drive.at().heading), left = left_normal(along),
