@@ -27,10 +27,11 @@ constexpr double gap = 0.02;
 /// Metres outside the field that an element may lie and still be looked for.
 constexpr double far_outside = 1000;
 
-/// Where rounding a corner on the inside takes the rake off the path.
+/// Where rounding a corner on the inside takes the rake off the path: `cut` is from the corner to the rake
+/// path, `aside` from the rake path to the edges.
 struct Rounding {
     Point at;
-    double reach, off;
+    double reach, cut, aside;
 };
 
 /// An arc of radius r inside a corner of turn 2 h begins r tan(h) before it and passes it at r (1/cos(h) -
@@ -66,15 +67,17 @@ std::vector<Rounding> roundings(const Polyline& line, bool closed,
         const double edge = std::min(turns[k].arc - last, next - turns[k].arc);
         const double h = std::min(turn / 2, pi / 2 - 1e-9);
         const double reach = std::min(corner.radius * std::tan(h), edge);
-        all.push_back({line[turns[k].vertex], reach, reach * std::tan(h / 2)});
+        all.push_back(
+            {line[turns[k].vertex], reach, reach * std::tan(h / 2), reach * std::tan(h / 2) * std::cos(h)});
     }
     return all;
 }
 
-double explained(const std::vector<Rounding>& all, Point p, double tolerance) {
+/// The largest `part` of the roundings that reach as far as p.
+double explained(const std::vector<Rounding>& all, double Rounding::*part, Point p, double tolerance) {
     double most = 0;
     for (const Rounding& r : all)
-        if (r.off > most && distance(p, r.at) <= r.reach + tolerance) most = r.off;
+        if (r.*part > most && distance(p, r.at) <= r.reach + tolerance) most = r.*part;
     return most;
 }
 
@@ -156,10 +159,13 @@ class Judge {
             faults_.add(1, {Law::drawn_once, std::move(what), at, -1, static_cast<int>(k), stroke.element});
         };
         const std::string whose = fmt::format("stroke {} of {}", k, name_of_element(plan_, stroke.element));
-        if (length_drawn > planned * (1 + length_share) + length_ends)
+        // A line's own length and places say it all.
+        const bool fill = std::holds_alternative<RegionElement>(
+            plan_.drawing.elements[static_cast<std::size_t>(stroke.element)].what);
+        if (fill && length_drawn > planned * (1 + length_share) + length_ends)
             fault(fmt::format("{} is drawn more than once: {:.3f} m drawn of {:.3f} m", whose, length_drawn,
                               planned));
-        else if (length_drawn == 0 && planned > gap)
+        else if (fill && length_drawn == 0 && planned > gap)
             fault(fmt::format("{} is not drawn: 0 m of {:.3f} m", whose, planned));
         for (std::size_t other = 0; other < k; ++other)
             if (plan_.strokes[other].element == stroke.element &&
@@ -181,8 +187,9 @@ class Judge {
             for (int k : {i, i + 1}) {  // the end of a run is a start of none
                 const Sample& s = plan_.samples[static_cast<std::size_t>(k)];
                 const double off = target.distance(s.rake);
-                const double beyond =
-                    off - (off > options_.tolerance ? explained(rounded, s.rake, options_.tolerance) : 0);
+                const double beyond = off - (off > options_.tolerance ? explained(rounded, &Rounding::aside,
+                                                                                  s.rake, options_.tolerance)
+                                                                      : 0);
                 report_.worst_offset = std::max(report_.worst_offset, beyond);
                 if (beyond > options_.tolerance)
                     faults_.add(
@@ -211,7 +218,7 @@ class Judge {
                 const Point p = between(a, b, (k + 0.5) / parts);
                 const double off = drawn.distance(p);
                 if (off <= options_.tolerance ||
-                    off <= options_.tolerance + explained(rounded, p, options_.tolerance)) {
+                    off <= options_.tolerance + explained(rounded, &Rounding::cut, p, options_.tolerance)) {
                     run = 0;
                     continue;
                 }

@@ -200,7 +200,8 @@ class Judge {
             fault(Law::step, ds, a,
                   fmt::format("the next sample is {:.3f} m on, allowed {:.3f} m", ds, longest_step));
         const double said = (a.speed + b.speed) / 2 * std::max(dt, 0.0);
-        const double may = slack(b.speed - a.speed, robot_.acceleration, dt) + 1e-4 + 0.01 * ds;
+        const double may =
+            slack(b.speed - a.speed, robot_.acceleration, dt) + 1e-4 + 0.01 * std::min(ds, longest_step);
         if (ds - said > std::max(may, jump))
             fault(Law::position, ds - said, a,
                   fmt::format("the position jumps {:.4f} m, its speed explains {:.4f} m", ds, said));
