@@ -22,23 +22,26 @@ struct Mutation {
 using Samples = std::vector<Sample>;
 
 inline bool draws(const Sample& s) { return s.motion == Motion::draw; }
-/// First sample of a run of at least `length` for which `wanted` holds, moved to its middle; the plan's size
-/// when there is none.
+/// The middle of the longest run of at least nine samples for which `wanted` holds; the plan's size when
+/// there is none.
 template <class Wanted>
-std::size_t middle_of_run(const Samples& samples, std::size_t length, Wanted wanted) {
-    std::size_t run = 0;
+std::size_t middle_of_run(const Samples& samples, Wanted wanted) {
+    std::size_t run = 0, longest = 8, middle = samples.size();
     for (std::size_t i = 0; i < samples.size(); ++i) {
         run = wanted(samples[i]) ? run + 1 : 0;
-        if (run == length) return i - length / 2;
+        if (run <= longest) continue;
+        longest = run;
+        middle = i - run / 2;
     }
-    return samples.size();
+    return middle;
 }
 inline std::size_t connecting(const Plan& plan) {
-    return middle_of_run(plan.samples, 9,
-                         [](const Sample& s) { return s.motion == Motion::connect && s.speed > 0; });
+    return middle_of_run(plan.samples, [](const Sample& s) {
+        return (s.motion == Motion::connect || s.motion == Motion::loop) && s.speed > 0;
+    });
 }
 inline std::size_t drawing(const Plan& plan) {
-    return middle_of_run(plan.samples, 9, [](const Sample& s) { return draws(s) && s.speed > 0; });
+    return middle_of_run(plan.samples, [](const Sample& s) { return draws(s) && s.speed > 0; });
 }
 inline int drawn_element(const Plan& plan) {
     return plan.strokes[static_cast<std::size_t>(plan.samples[drawing(plan)].stroke)].element;
@@ -53,6 +56,7 @@ inline void append(Plan& plan, Samples more) {
 }
 
 inline Plan element_dropped(Plan plan) {
+    if (drawing(plan) == plan.samples.size()) return plan;
     const int element = drawn_element(plan);
     for (Sample& s : plan.samples) {
         if (!draws(s) || plan.strokes[static_cast<std::size_t>(s.stroke)].element != element) continue;
@@ -63,6 +67,7 @@ inline Plan element_dropped(Plan plan) {
     return plan;
 }
 inline Plan drawn_twice(Plan plan) {
+    if (drawing(plan) == plan.samples.size()) return plan;
     const int element = drawn_element(plan);
     Samples again;
     for (const Sample& s : plan.samples)
@@ -72,6 +77,7 @@ inline Plan drawn_twice(Plan plan) {
     return plan;
 }
 inline Plan pose_jumps(Plan plan) {
+    if (drawing(plan) == plan.samples.size()) return plan;
     for (std::size_t i = drawing(plan); i < plan.samples.size(); ++i) {
         plan.samples[i].pose.at = plan.samples[i].pose.at + Point{0.03, 0.04};
         plan.samples[i].rake = plan.samples[i].rake + Point{0.03, 0.04};
@@ -79,6 +85,7 @@ inline Plan pose_jumps(Plan plan) {
     return plan;
 }
 inline Plan curvature_over_limit(Plan plan) {
+    if (connecting(plan) == plan.samples.size() || plan.robot.min_radius <= 0) return plan;
     Sample& s = plan.samples[connecting(plan)];
     s.curvature = 1.5 / plan.robot.min_radius;
     s.turn_rate = s.speed * s.curvature;
@@ -86,12 +93,14 @@ inline Plan curvature_over_limit(Plan plan) {
 }
 /// Stays within the curvature limit, but gets there too quickly.
 inline Plan sharpness_over_limit(Plan plan) {
+    if (connecting(plan) == plan.samples.size() || plan.robot.min_radius <= 0) return plan;
     Sample& s = plan.samples[connecting(plan)];
     s.curvature += (s.curvature > 0 ? -0.8 : 0.8) / plan.robot.min_radius;
     s.turn_rate = s.speed * s.curvature;
     return plan;
 }
 inline Plan too_fast(Plan plan) {
+    if (drawing(plan) == plan.samples.size()) return plan;
     Sample& s = plan.samples[drawing(plan)];
     s.speed = 1.3 * plan.robot.speed;
     return plan;
@@ -119,8 +128,9 @@ inline Plan pins_early(Plan plan) {
         }
     return plan;
 }
-/// Drives straight across the middle of what is drawn first, at the end of the drive.
+/// Drives straight across the middle of the longest run of drawing, at the end of the drive.
 inline Plan across_finished_ground(Plan plan) {
+    if (drawing(plan) == plan.samples.size()) return plan;
     const Sample middle = plan.samples[drawing(plan)];
     Samples across;
     const double heading = middle.pose.heading + pi / 2, speed = plan.robot.travel_speed, step = 0.02;
@@ -150,23 +160,25 @@ inline Plan old_version(Plan plan) {
 }
 
 inline Plan heading_jumps(Plan plan) {
+    if (drawing(plan) == plan.samples.size()) return plan;
     Sample& s = plan.samples[drawing(plan)];
     s.pose.heading += 0.1;
     s.rake = s.pose.at - plan.robot.rake_offset * unit(s.pose.heading);
     return plan;
 }
 inline Plan time_stands(Plan plan) {
+    if (drawing(plan) == plan.samples.size()) return plan;
     const std::size_t i = drawing(plan);
     plan.samples[i].t = plan.samples[i - 1].t;
     return plan;
 }
 inline Plan too_hasty(Plan plan) {
-    for (Sample& s : plan.samples) s.t /= 3;
-    for (Sample& s : plan.samples) s.speed *= 3;
-    for (Sample& s : plan.samples) s.turn_rate *= 3;
-    plan.robot.speed *= 3;
-    plan.robot.travel_speed *= 3;
-    plan.robot.turn_rate *= 3;
+    for (Sample& s : plan.samples) s.t /= 10;
+    for (Sample& s : plan.samples) s.speed *= 10;
+    for (Sample& s : plan.samples) s.turn_rate *= 10;
+    plan.robot.speed *= 10;
+    plan.robot.travel_speed *= 10;
+    plan.robot.turn_rate *= 10;
     return plan;
 }
 inline Plan turns_too_fast(Plan plan) {
@@ -176,8 +188,11 @@ inline Plan turns_too_fast(Plan plan) {
     return plan;
 }
 inline Plan sparse(Plan plan) {
-    const auto i = static_cast<std::ptrdiff_t>(drawing(plan));
-    plan.samples.erase(plan.samples.begin() + i - 2, plan.samples.begin() + i + 2);
+    if (drawing(plan) == plan.samples.size()) return plan;
+    const auto from = plan.samples.begin() + static_cast<std::ptrdiff_t>(drawing(plan));
+    plan.samples.erase(from, std::find_if(from, plan.samples.end(), [&](const Sample& s) {
+                           return distance(s.pose.at, (from - 1)->pose.at) > 0.07;
+                       }));
     return plan;
 }
 inline Plan drawn_elsewhere(Plan plan) {

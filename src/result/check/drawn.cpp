@@ -11,10 +11,12 @@ namespace strandline::check {
 namespace {
 
 /// Metres: chords that stand for an element's exact path leave it by this at most; far below the tolerance.
-constexpr double chord_error = 0.0005;
+constexpr double chord_error = 0.0001;
 /// Metres between the places of a path that are looked for in what was drawn.
 constexpr double place_step = 0.01;
 constexpr double most_places = 200'000;
+/// Metres: less is the fit of the rake path, not a rounded corner.
+constexpr double worth_explaining = 0.001;
 /// Radians: less than this is a chord of a curve, not a corner: rounding it with the corner's radius moves it
 /// by under 0.3 %.
 constexpr double corner_turn = 0.15;
@@ -83,7 +85,10 @@ double explained(const std::vector<Rounding>& all, double Rounding::*part, Point
 
 /// The samples that draw one element.
 struct Drawn {
-    std::vector<int> samples;  ///< starts of intervals
+    struct Place {
+        int sample, stroke;
+    };
+    std::vector<Place> places;  ///< both ends of every interval, each sample once
     SegmentTree::Segments segments;
     double length = 0;
 };
@@ -118,7 +123,9 @@ class Judge {
                 continue;
             }
             Drawn& drawn = drawn_[static_cast<std::size_t>(element)];
-            drawn.samples.push_back(static_cast<int>(i));
+            if (drawn.places.empty() || drawn.places.back().sample != static_cast<int>(i))
+                drawn.places.push_back({static_cast<int>(i), a.stroke});
+            drawn.places.push_back({static_cast<int>(i) + 1, a.stroke});
             drawn.segments.emplace_back(a.rake, b.rake);
             drawn.length += step;
             by_stroke[static_cast<std::size_t>(a.stroke)] += step;
@@ -159,6 +166,13 @@ class Judge {
             faults_.add(1, {Law::drawn_once, std::move(what), at, -1, static_cast<int>(k), stroke.element});
         };
         const std::string whose = fmt::format("stroke {} of {}", k, name_of_element(plan_, stroke.element));
+        const Element& element = plan_.drawing.elements[static_cast<std::size_t>(stroke.element)];
+        if (const auto* line = std::get_if<LineElement>(&element.what);
+            line != nullptr && line->pins != stroke.pins)
+            faults_.add(
+                1, {Law::pins,
+                    fmt::format("{} is drawn with {} pins, allowed {}", whose, stroke.pins, line->pins), at,
+                    -1, static_cast<int>(k), stroke.element});
         // A line's own length and places say it all.
         const bool fill = std::holds_alternative<RegionElement>(
             plan_.drawing.elements[static_cast<std::size_t>(stroke.element)].what);
@@ -183,22 +197,20 @@ class Judge {
         const std::vector<Rounding> rounded = roundings(chords, path.closed, plan_.options.corner);
 
         const SegmentTree target(segments);
-        for (int i : drawn.samples)
-            for (int k : {i, i + 1}) {  // the end of a run is a start of none
-                const Sample& s = plan_.samples[static_cast<std::size_t>(k)];
-                const double off = target.distance(s.rake);
-                const double beyond = off - (off > options_.tolerance ? explained(rounded, &Rounding::aside,
-                                                                                  s.rake, options_.tolerance)
-                                                                      : 0);
-                report_.worst_offset = std::max(report_.worst_offset, beyond);
-                if (beyond > options_.tolerance)
-                    faults_.add(
-                        beyond,
-                        {Law::drawn_right,
-                         fmt::format("the rake is {:.4f} m off {}, allowed {:.4f} m", off,
-                                     name_of_element(plan_, element), options_.tolerance + off - beyond),
-                         s.rake, k, plan_.samples[static_cast<std::size_t>(i)].stroke, element});
-            }
+        for (const auto& [k, stroke] : drawn.places) {
+            const Sample& s = plan_.samples[static_cast<std::size_t>(k)];
+            const double off = target.distance(s.rake);
+            const double beyond = off - (off > worth_explaining ? explained(rounded, &Rounding::aside, s.rake,
+                                                                            options_.tolerance)
+                                                                : 0);
+            report_.worst_offset = std::max(report_.worst_offset, beyond);
+            if (beyond > options_.tolerance)
+                faults_.add(beyond,
+                            {Law::drawn_right,
+                             fmt::format("the rake is {:.4f} m off {}, allowed {:.4f} m", off,
+                                         name_of_element(plan_, element), options_.tolerance + off - beyond),
+                             s.rake, k, stroke, element});
+        }
         if (drawn.length > whole * (1 + length_share) + length_ends)
             faults_.add(1, {Law::drawn_once,
                             fmt::format("{} is drawn more than once: {:.3f} m drawn of {:.3f} m",
@@ -242,25 +254,24 @@ class Judge {
 
     void fill(int element, const Region& region) {
         const Drawn& drawn = drawn_[static_cast<std::size_t>(element)];
-        if (drawn.samples.empty() || region.outer.size() < 3) return;
+        if (drawn.places.empty() || region.outer.size() < 3) return;
         const BandedRegion area(region);
         SegmentTree::Segments edges = segments_of(region.outer, true);
         for (const Polygon& hole : region.holes)
             for (const auto& edge : segments_of(hole, true)) edges.push_back(edge);
         const SegmentTree outline(edges);
-        for (int i : drawn.samples)
-            for (int k : {i, i + 1}) {
-                const Sample& s = plan_.samples[static_cast<std::size_t>(k)];
-                if (area.contains(s.rake)) continue;
-                const double off = outline.distance(s.rake);
-                report_.worst_offset = std::max(report_.worst_offset, off);
-                if (off > options_.tolerance)
-                    faults_.add(
-                        off, {Law::drawn_right,
-                              fmt::format("a fill stroke's middle is {:.4f} m outside {}, allowed {:.4f} m",
-                                          off, name_of_element(plan_, element), options_.tolerance),
-                              s.rake, k, plan_.samples[static_cast<std::size_t>(i)].stroke, element});
-            }
+        for (const auto& [k, stroke] : drawn.places) {
+            const Sample& s = plan_.samples[static_cast<std::size_t>(k)];
+            if (area.contains(s.rake)) continue;
+            const double off = outline.distance(s.rake);
+            report_.worst_offset = std::max(report_.worst_offset, off);
+            if (off > options_.tolerance)
+                faults_.add(
+                    off, {Law::drawn_right,
+                          fmt::format("a fill stroke's middle is {:.4f} m outside {}, allowed {:.4f} m", off,
+                                      name_of_element(plan_, element), options_.tolerance),
+                          s.rake, k, stroke, element});
+        }
     }
 
     const Plan& plan_;

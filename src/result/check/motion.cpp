@@ -107,7 +107,7 @@ class Judge {
                       fmt::format("curvature {:.3f} 1/m rake up, allowed {:.3f} 1/m", std::abs(s.curvature),
                                   bound_));
         }
-        if (!last) pins(s);
+        pins(s, last);
     }
 
     Point rake_place(Pose pose) const { return pose.at - robot_.rake_offset * unit(pose.heading); }
@@ -125,8 +125,14 @@ class Judge {
                   fmt::format("the footprint is {:.3f} m outside the field, allowed 0 m", outside));
     }
 
-    void pins(const Sample& s) {
+    void pins(const Sample& s, bool last) {
         const auto bits = [&](unsigned mask) { return fmt::format("{:0{}b}", mask, robot_.pins); };
+        if (last && s.mask != 0) {
+            fault(Law::pins, 1, s,
+                  fmt::format("pins {} are down at the end of the drive, allowed none", bits(s.mask)));
+            return;
+        }
+        if (last) return;
         if (s.motion != Motion::draw) {
             if (s.mask != 0)
                 fault(Law::pins, 1, s,
@@ -209,9 +215,11 @@ class Judge {
             fault(Law::time, std::abs(ds - said), a,
                   fmt::format("drives {:.4f} m, its speed and time explain {:.4f} m", ds, said));
 
-        const bool rest = a.speed == 0 || b.speed == 0;
-        const double dk = std::abs(b.curvature - a.curvature),
-                     bend = (rest ? jump_share : bend_share) * dk * ds;
+        const bool rest = a.speed == 0 || b.speed == 0, up = bounded(a.motion);
+        const double dk = b.curvature - a.curvature;
+        const double bend =
+            (up ? slack(dk, robot_.sharpness * (1 + share), ds) : bend_share * std::abs(dk) * ds) +
+            (rest ? jump_share * std::abs(dk) * ds : 0);
         const double direction = heading(b.pose.at - a.pose.at), spin = rounding / ds;
         double aside = std::abs(wrap_angle(direction - a.pose.heading - turn / 2));
         if (turns_freely_ && rest) aside -= std::abs(turn) / 2;  // a corner at the standing end
@@ -223,7 +231,7 @@ class Judge {
         const double end_curvature = b.motion == Motion::pivot ? a.curvature : b.curvature;
         const double explained = (a.curvature + end_curvature) / 2 * ds;
         double off = std::abs(wrap_angle(turn - explained)),
-               allowed = (a.motion == Motion::draw ? heading_down : heading_up) + bend + spin;
+               allowed = (up ? heading_up : heading_down) + bend + spin;
         if (b.motion == Motion::pivot) allowed += jump_share * ds * bound_slope(a, ds);
         if (turns_freely_ && rest) off = 0;
         if (off > allowed)
@@ -231,7 +239,7 @@ class Judge {
                   fmt::format("the heading changes by {:.4f} rad, its curvature explains {:.4f} rad, allowed "
                               "apart {:.4f} rad",
                               turn, explained, allowed));
-        if (bounded(a.motion)) rake_up(a, b, ds, std::abs(turn), dk, spin);
+        if (up) rake_up(a, b, ds, std::abs(turn), std::abs(dk), spin);
     }
     /// How much the curvature can have changed by the pivot at the end of an interval.
     double bound_slope(const Sample& a, double ds) const {
