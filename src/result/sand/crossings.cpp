@@ -41,7 +41,7 @@ std::vector<LineCrossing> DrawnLines::crossed(Point a, Point b) const {
     for (int number : near) {
         const DrawnPiece& piece = pieces_[static_cast<std::size_t>(number)];
         const auto hit = crossing(a, b, piece.from, piece.to);
-        if (hit && hit->s < 1 && hit->t < 1) met.push_back({hit->at, piece.element, piece.driven});
+        if (hit && hit->s < 1 && hit->t < 1) met.push_back({hit->at, piece.element});
     }
     return met;
 }

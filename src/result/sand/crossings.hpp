@@ -8,16 +8,14 @@
 
 namespace strandline::sand {
 
-/// A piece of a line's rake path, rake down. `driven`: metres driven by P when it was drawn.
+/// A piece of a line's rake path, rake down.
 struct DrawnPiece {
     Point from, to;
     int element = -1;
-    double driven = 0;
 };
 struct LineCrossing {
     Point at;
     int element = -1;
-    double driven = 0;  ///< when the line was drawn there
 };
 
 /// Pieces by squares of a grid. Pieces and moves are short (a sample's step), so each meets a few squares:

@@ -172,7 +172,6 @@ class Layer {
     void cross(const Sample& a, const Sample& b) {
         const Sample &begin = plan_.samples[move_begin_], &end = plan_.samples[move_end_];
         for (const LineCrossing& hit : lines_.crossed(a.pose.at, b.pose.at)) {
-            if (driven_ - hit.driven < options_.settled) continue;
             bool excused = false;
             for (Point own : {begin.pose.at, begin.rake, end.pose.at, end.rake})
                 excused |= distance(hit.at, own) <= own_end;
@@ -187,7 +186,7 @@ class Layer {
         if (a.mask == 0) return;
         const int element = element_of(a);
         const bool line = is_line(element);
-        if (line && a.rake != b.rake) lines_.add({a.rake, b.rake, element, driven_});
+        if (line && a.rake != b.rake) lines_.add({a.rake, b.rake, element});
         const float now = static_cast<float>(driven_);
         for (const Bar& bar : bars_of(plan_.robot, a.mask)) {
             const Polygon swath = swept_bar(

@@ -11,7 +11,7 @@ namespace strandline::sand {
 struct Options {
     double cell = 0.02;              ///< metres
     double pass_gap = 0.5;           ///< metres driven after which raking a cell again counts as a second pass
-    double settled = 0.7;            ///< metres driven after which raked ground counts as finished for wheels and rake
+    double settled = 0.7;            ///< metres driven after which raked ground counts as finished for wheels
 };
 /// A region's account, by the cells whose centres it holds. A cell raked n times counts n - 1 times as overdraw.
 struct Account {
