@@ -126,7 +126,9 @@ class Judge {
     }
 
     void pins(const Sample& s, bool last) {
-        const auto bits = [&](unsigned mask) { return fmt::format("{:0{}b}", mask, robot_.pins); };
+        const auto bits = [&](unsigned mask) {
+            return fmt::format("{:0{}b}", mask, std::clamp(robot_.pins, 1, 32));
+        };
         if (last && s.mask != 0) {
             fault(Law::pins, 1, s,
                   fmt::format("pins {} are down at the end of the drive, allowed none", bits(s.mask)));

@@ -18,7 +18,9 @@ constexpr double outside_field = 5.0;
 constexpr double own_end = 0.05;
 /// Metres: crossings that near are one point, seen from two pieces.
 constexpr double same_point = 1e-6;
-/// Reports of progress.
+/// Bits of a mask.
+constexpr int most_pins = 32;
+/// Samples between reports of progress.
 constexpr std::size_t report_every = 2048;
 
 /// Neighbouring pins that are down, as the bar they make: lateral positions in the body frame.
@@ -28,7 +30,7 @@ struct Bar {
 std::vector<Bar> bars_of(const Robot& robot, unsigned mask) {
     std::vector<Bar> bars;
     const double edge = robot.pins * robot.pin_pitch / 2;
-    for (int pin = 0; pin < robot.pins; ++pin) {
+    for (int pin = 0; pin < std::min(robot.pins, most_pins); ++pin) {
         if ((mask >> (robot.pins - 1 - pin) & 1U) == 0) continue;  // the highest bit is the leftmost pin
         const double left = edge - pin * robot.pin_pitch, right = left - robot.pin_pitch;
         if (!bars.empty() && bars.back().right <= left + robot.pin_pitch / 2)
