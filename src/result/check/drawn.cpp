@@ -90,7 +90,6 @@ struct Drawn {
     };
     std::vector<Place> places;  ///< both ends of every interval, each sample once
     SegmentTree::Segments segments;
-    double length = 0;
 };
 
 std::string name_of_element(const Plan& plan, int element) {
@@ -127,7 +126,6 @@ class Judge {
                 drawn.places.push_back({static_cast<int>(i), a.stroke});
             drawn.places.push_back({static_cast<int>(i) + 1, a.stroke});
             drawn.segments.emplace_back(a.rake, b.rake);
-            drawn.length += step;
             by_stroke[static_cast<std::size_t>(a.stroke)] += step;
         }
         for (std::size_t k = 0; k < by_stroke.size(); ++k) strokes_once(k, by_stroke[k]);
@@ -211,10 +209,20 @@ class Judge {
                                          name_of_element(plan_, element), options_.tolerance + off - beyond),
                              s.rake, k, stroke, element});
         }
-        if (drawn.length > whole * (1 + length_share) + length_ends)
+        // A detour off the path is named above; it does not draw the path again.
+        double on_path = 0;
+        for (const auto& [a, b] : drawn.segments) {
+            const Point middle = between(a, b, 0.5);
+            const double off = target.distance(middle);
+            if (off <= options_.tolerance + (off > worth_explaining ? explained(rounded, &Rounding::aside,
+                                                                                middle, options_.tolerance)
+                                                                    : 0))
+                on_path += distance(a, b);
+        }
+        if (on_path > whole * (1 + length_share) + length_ends)
             faults_.add(1, {Law::drawn_once,
                             fmt::format("{} is drawn more than once: {:.3f} m drawn of {:.3f} m",
-                                        name_of_element(plan_, element), drawn.length, whole),
+                                        name_of_element(plan_, element), on_path, whole),
                             chords.front(), -1, -1, element});
         missing(element, segments, whole, SegmentTree(drawn.segments), rounded);
     }
