@@ -24,12 +24,15 @@ struct Options {
     double min_area = 0.01;                ///< m^2: smaller parts are dropped and counted
     bool border = true;                    ///< a pass along the outline, driven last
     double tolerance = 0.002;              ///< metres
-    double turn_radius = 0;                ///< metres: least radius of the rake path in turns; 0: sharp turns allowed
+    double turn_radius = 0;                ///< metres: least radius of the rake path in turns, as far as there is room; 0: sharp turns
+    bool rake_turns = true;                ///< zigzag: the rake stays down from line to line where that stays inside; false: it is lifted
+    int pins = 7;                          ///< written into the strokes
 };
 
 /// The fill of one region and its account.
 struct Fill {
     std::vector<Stroke> strokes;   ///< in the order they must be raked: inside to outside, border last; one_way, fill = true
+    std::vector<Polyline> ways;    ///< rake-up way to stroke i from the one before, over sand not yet raked; its ends left out, {}: straight
     double area = 0;               ///< of the region, m^2
     double swept = 0;              ///< stroke length x width, m^2
     int dropped_parts = 0;         ///< smaller than min_area or narrower than the rake

@@ -1,0 +1,175 @@
+// Rings from nested insets, and what is left between them.
+#include "path/fill/rings.hpp"
+
+#include <algorithm>
+
+namespace strandline::fill {
+namespace {
+
+// All of these are shares of the rake's width.
+constexpr double speck = 0.3;        // a ring smaller than that is a blob: one straight pass covers it
+constexpr double gap_margin = 0.02;  // gaps thinner than twice that are chords against arcs
+constexpr double gap_opening = 0.06; // a gap that vanishes when shrunk by that is a corner's tip, not a ridge
+constexpr double gap_share = 0.1;    // of width^2: smaller gaps are not worth a pass
+constexpr double widest_spine = 1.15;// one pass serves a gap that is mostly not wider than that
+constexpr int most_levels = 4000;
+
+Ring ring_of(Polyline line, int level, bool closed) {
+    Ring ring{std::move(line), level, closed, 0, {}};
+    ring.length = closed ? perimeter(ring.line) : length(ring.line);
+    ring.box = bounds(ring.line);
+    return ring;
+}
+
+bool is_speck(const Region& region, const Options& options) {
+    const Box box = bounds(region);
+    return std::max(box.width(), box.height()) < speck * options.width;
+}
+
+/// Rounds outer corners to the radius; keeps a part as it is when rounding would take a third of it.
+Regions softened(const Regions& regions, double radius) {
+    if (radius <= 0) return regions;
+    Regions soft;
+    for (const Region& region : regions) {
+        Regions open = inset(inset({region}, radius), -radius);
+        if (area(open) < area(region) * 2 / 3) open = {region};
+        soft.insert(soft.end(), open.begin(), open.end());
+    }
+    return soft;
+}
+
+/// The one ring in the middle of a ring-shaped gap.
+Polygon middle_ring(const Region& gap) {
+    double low = 0, high = std::max(bounds(gap).width(), bounds(gap).height());
+    Polygon best = gap.outer;
+    for (int i = 0; i < 12; ++i) {
+        const double by = (low + high) / 2;
+        const Regions thin = inset({gap}, by);
+        if (thin.size() == 1 && thin[0].holes.size() == gap.holes.size()) best = thin[0].outer, low = by;
+        else high = by;
+    }
+    return best;
+}
+
+void add_spines(const Regions& gaps, int level, const Options& options, std::vector<Ring>& rings) {
+    const double w = options.width;
+    for (const Region& gap : inset(gaps, gap_opening * w)) {
+        const Regions whole = inset({gap}, -gap_opening * w);
+        if (area(whole) < gap_share * w * w) continue;
+        for (const Region& part : whole) {
+            if (part.holes.size() == 1) {
+                rings.push_back(ring_of(middle_ring(part), level, true));
+                continue;
+            }
+            Polyline spine = middle_line(part.outer, widest_spine * w);
+            if (part.holes.empty() && spine.size() >= 2) rings.push_back(ring_of(std::move(spine), level, false));
+            else if (area(part) > w * w / 4) rings.push_back(ring_of(part.outer, level, true));
+        }
+    }
+}
+
+bool neighbours(const Ring& a, const Ring& b, const Options& options) {
+    const int apart = std::abs(a.level - b.level);
+    if (apart > 1) return false;
+    // One level apart: a spacing, a little more for chords; across a ridge: up to twice that.
+    const double limit = (apart == 1 && a.closed && b.closed ? 1.06 : 1.98) * options.spacing;
+    if (!overlaps(grown(a.box, limit), b.box)) return false;
+    const auto any = [&](const Ring& from, const Ring& to) {
+        const Box reach = grown(to.box, limit);
+        return std::ranges::any_of(from.line, [&](Point p) { return contains(reach, p) && nearest(to, p).distance < limit; });
+    };
+    return any(a, b) || any(b, a);
+}
+
+}  // namespace
+
+Foot nearest(const Ring& ring, Point p) {
+    Foot best;
+    double s = 0;
+    const std::size_t n = ring.line.size();
+    if (n == 1) return {0, ring.line[0], distance(p, ring.line[0])};
+    for (std::size_t i = 0; i + (ring.closed ? 0 : 1) < n; ++i) {
+        const Point a = ring.line[i], b = ring.line[(i + 1) % n];
+        const Point foot = nearest_on_segment(p, a, b);
+        if (const double d = distance(p, foot); d < best.distance) best = {s + distance(a, foot), foot, d};
+        s += distance(a, b);
+    }
+    return best;
+}
+
+Polyline along(const Ring& ring, double from, double span) {
+    Polyline loop = ring.line;
+    if (ring.closed) loop.push_back(loop.front());
+    if (span < 0) {
+        std::ranges::reverse(loop);
+        from = ring.length - from;
+        span = -span;
+    }
+    if (!ring.closed) return slice(loop, std::max(0.0, from), std::min(ring.length, from + span));
+    from = std::fmod(from, ring.length);
+    if (from < 0) from += ring.length;
+    Polyline part = slice(loop, from, std::min(ring.length, from + span));
+    if (from + span > ring.length) {
+        const Polyline rest = slice(loop, 0, std::min(from + span - ring.length, ring.length));
+        part.insert(part.end(), rest.begin() + 1, rest.end());
+    }
+    return without_duplicates(part, 1e-9 * ring.length);
+}
+
+Point at(const Ring& ring, double s) { return along(ring, s, 0).front(); }
+
+std::vector<Ring> rings_of(const Regions& room, const Options& options) {
+    const double w = options.width, thinning = std::min(options.tolerance, w / 200);
+    std::vector<Ring> rings;
+    Regions here = simplified(room, thinning);
+    if (here.empty()) here = room;
+    for (int level = 0; level < most_levels && !here.empty(); ++level) {
+        const Regions soft = softened(here, options.turn_radius);
+        for (const Region& region : soft) {
+            rings.push_back(ring_of(region.outer, level, true));
+            for (const Polygon& hole : region.holes) rings.push_back(ring_of(hole, level, true));
+        }
+        Regions next = simplified(inset(here, options.spacing), thinning);
+        std::erase_if(next, [&](const Region& region) { return is_speck(region, options); });
+        const Regions bare = inset(here, (0.5 + gap_margin) * w);
+        add_spines(subtracted(bare, inset(next, -(0.5 + gap_margin) * w)), level + 1, options, rings);
+        here = std::move(next);
+    }
+    return rings;
+}
+
+Order driving_order(const std::vector<Ring>& rings, const Options& options) {
+    const int n = static_cast<int>(rings.size());
+    std::vector<std::vector<int>> beside(rings.size());
+    for (int i = 0; i < n; ++i)
+        for (int j = i + 1; j < n; ++j)
+            if (neighbours(rings[i], rings[j], options)) beside[i].push_back(j), beside[j].push_back(i);
+    Order order{{}, std::vector<int>(rings.size(), -1)};
+    std::vector<bool> peeled(rings.size(), false);
+    std::vector<int> peel;
+    const auto peel_from = [&](int root) {
+        std::vector<std::pair<int, int>> open{{root, -1}};  // ring, neighbour it was reached from
+        while (!open.empty()) {
+            const auto [ring, from] = open.back();
+            open.pop_back();
+            if (peeled[ring]) continue;
+            peeled[ring] = true;
+            order.parent[ring] = from;
+            peel.push_back(ring);
+            // The last pushed is peeled next: deeper rings before their likes across a ridge, spines first of all (they are ends).
+            std::vector<int> next = beside[ring];
+            std::ranges::stable_sort(next, [&](int a, int b) {
+                const auto rank = [&](int k) { return rings[k].closed ? (rings[k].level > rings[ring].level ? 1 : 0) : 2; };
+                return rank(a) < rank(b);
+            });
+            for (int k : next)
+                if (!peeled[k]) open.emplace_back(k, ring);
+        }
+    };
+    for (int root = 0; root < n; ++root)  // rings come outermost first
+        if (!peeled[root]) peel_from(root);
+    order.rings.assign(peel.rbegin(), peel.rend());
+    return order;
+}
+
+}  // namespace strandline::fill

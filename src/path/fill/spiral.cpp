@@ -1,0 +1,161 @@
+// The spiral: rings joined by radial steps, inside to outside.
+// Each ring stops half a width before it closes: what is left of it is swept by the step to the next ring.
+#include <algorithm>
+
+#include "path/fill/rings.hpp"
+
+namespace strandline::fill {
+namespace {
+
+constexpr double before_closure = 0.5;   // of the width: where the step leaves a ring
+constexpr double last_before_closure = 0.25;  // of the width: the border ring closes but for its round wedge
+constexpr double longest_step = 1.5;     // of the spacing, raked, within a nesting branch
+constexpr int seams = 24;                // places tried for the innermost ring's start
+
+struct Seam {
+    double start = 0, span = 0;  // arc length; span < 0: clockwise of the ring's own sense
+};
+
+/// One chain of rings: each leads on to the next, the innermost first.
+struct Chain {
+    std::vector<int> rings;
+    std::vector<Seam> seams;
+    double cost = 0;
+};
+
+/// Carries a start on the innermost ring through the chain; the cost counts steps that are longer than a spacing.
+void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, bool to_root, const Options& options) {
+    chain.seams.clear();
+    chain.cost = 0;
+    for (std::size_t i = 0; i < chain.rings.size(); ++i) {
+        const Ring& ring = rings[chain.rings[i]];
+        const bool first = i == 0, last = i + 1 == chain.rings.size();
+        Seam seam{start, ring.length};
+        if (ring.closed) {
+            const double left = first && !(last && to_root) ? 0 : last && to_root ? last_before_closure : before_closure;
+            if (!first) {  // go on in the sense in which the last ring was left
+                const Ring& before = rings[chain.rings[i - 1]];
+                const Seam& came = chain.seams.back();
+                const double ahead = std::copysign(1e-3 * options.width, came.span);
+                const Point motion = at(before, came.start + came.span) - at(before, came.start + came.span - ahead);
+                const Point mine = at(ring, start + 1e-3 * options.width) - at(ring, start);
+                if (dot(motion, mine) < 0) seam.span = -seam.span;
+            }
+            const double span = std::max(ring.length * 0.5, ring.length - left * options.width);
+            seam.span = std::copysign(span, seam.span);
+        } else if (start > ring.length / 2) {
+            seam = {ring.length, -ring.length};
+        } else {
+            seam = {0, ring.length};
+        }
+        chain.seams.push_back(seam);
+        if (last) break;
+        const Point end = at(ring, seam.start + seam.span);
+        const Foot foot = nearest(rings[chain.rings[i + 1]], end);
+        chain.cost += std::max(0.0, foot.distance - 1.02 * options.spacing);
+        start = foot.s;
+    }
+}
+
+/// Whether a and b see each other from where the rake's centre may be.
+bool sees(const Regions& floor, Point a, Point b) {
+    const LineParts parts = parted({a, b}, floor);
+    double outside = 0;
+    for (const Polyline& part : parts.outside) outside += length(part);
+    return outside <= 1e-6 * distance(a, b);
+}
+
+/// The rake-up way from one chain's end to the next one's start, along rings that are raked later.
+Polyline way_between(const std::vector<Ring>& rings, const Order& order, int from, Point start, int to, Point goal) {
+    std::vector<int> up, down;
+    for (int r = order.parent[from]; r >= 0; r = order.parent[r]) up.push_back(r);
+    for (int r = order.parent[to]; r >= 0; r = order.parent[r]) down.push_back(r);
+    const auto meet = std::ranges::find_first_of(up, down);
+    if (meet == up.end()) return {};
+    std::vector<int> rest(up.begin(), meet + 1);
+    const auto turn = std::ranges::find(down, *meet);
+    for (auto it = turn; it != down.begin();) rest.push_back(*--it);
+    Polyline way;
+    Point here = start;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const Ring& ring = rings[rest[i]];
+        const Foot enter = nearest(ring, here);
+        // Leave where the next ring is near; of such places the one nearest to the goal.
+        const Ring* next = i + 1 < rest.size() ? &rings[rest[i + 1]] : nullptr;
+        double closest = std::numeric_limits<double>::infinity(), best = closest;
+        Point leave = nearest(ring, goal).at;
+        if (next) {
+            std::vector<std::pair<double, Point>> places;
+            for (Point p : next->line) {
+                const double d = nearest(ring, p).distance;
+                closest = std::min(closest, d);
+                places.emplace_back(d, p);
+            }
+            for (const auto& [d, p] : places)
+                if (d < 1.1 * closest && distance(p, goal) < best) best = distance(p, goal), leave = nearest(ring, p).at;
+        }
+        double span = nearest(ring, leave).s - enter.s;
+        if (ring.closed) {
+            if (span > ring.length / 2) span -= ring.length;
+            if (span < -ring.length / 2) span += ring.length;
+        }
+        const Polyline part = along(ring, enter.s, span);
+        way.insert(way.end(), part.begin(), part.end());
+        here = way.back();
+    }
+    return way;
+}
+
+std::vector<Chain> chains_of(const Order& order) {
+    std::vector<Chain> chains;
+    for (std::size_t i = 0; i < order.rings.size(); ++i) {
+        if (i == 0 || order.parent[order.rings[i - 1]] != order.rings[i]) chains.emplace_back();
+        chains.back().rings.push_back(order.rings[i]);
+    }
+    return chains;
+}
+
+}  // namespace
+
+std::vector<Pass> spiral_passes(const Region& region, const std::string& place, const Options& options,
+                                Fill& account) {
+    const Regions room = room_for_centre(region, place, options, account);
+    const std::vector<Ring> rings = rings_of(room, options);
+    const Order order = driving_order(rings, options);
+    const Regions floor = inset(room, -0.02 * options.width);
+    std::vector<Pass> passes;
+    int last_ring = -1;
+    for (Chain& chain : chains_of(order)) {
+        const Ring& innermost = rings[chain.rings.front()];
+        const bool to_root = order.parent[chain.rings.back()] < 0;
+        double best = std::numeric_limits<double>::infinity(), best_start = 0;
+        for (int k = 0; k < seams; ++k) {
+            const double start = innermost.length * (k + 0.5) / seams;
+            lay_seams(chain, rings, start, to_root, options);
+            if (chain.cost < best - 1e-9 * options.width) best = chain.cost, best_start = start;
+        }
+        lay_seams(chain, rings, best_start, to_root, options);
+
+        Polyline line;
+        const auto finish = [&](Polyline way) {
+            if (line.size() >= 2) passes.push_back({std::move(way), rounded(line, options.turn_radius)});
+            line.clear();
+        };
+        Polyline way;
+        if (last_ring >= 0 && !passes.empty())
+            way = way_between(rings, order, last_ring, passes.back().line.back(), chain.rings.front(),
+                              at(innermost, chain.seams.front().start));
+        for (std::size_t i = 0; i < chain.rings.size(); ++i) {
+            const Polyline part = along(rings[chain.rings[i]], chain.seams[i].start, chain.seams[i].span);
+            if (!line.empty() && (distance(line.back(), part.front()) > longest_step * options.spacing ||
+                                  !sees(floor, line.back(), part.front())))
+                finish(std::exchange(way, {}));
+            line.insert(line.end(), part.begin(), part.end());
+        }
+        finish(std::move(way));
+        last_ring = chain.rings.back();
+    }
+    return passes;
+}
+
+}  // namespace strandline::fill

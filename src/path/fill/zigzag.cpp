@@ -1,0 +1,257 @@
+// Parallel lines, part by part, and rings along the outline last.
+// Key: everything is turned by -direction, so that lines lie level; `room` is where the rake's centre may be, `target` what the lines
+// must cover (with a border: what its rings leave).
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "path/fill/rings.hpp"
+
+namespace strandline::fill {
+namespace {
+
+constexpr int most_directions = 12;     // of the longest edges, beside level and upright
+constexpr double line_slack = 0.01;     // of the spacing: a part that is higher by less gets no further line
+constexpr double shortest_line = 0.05;  // of the width: shorter ones are left to the border
+
+Regions turned(Regions regions, double angle) {
+    const Affine map{std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle), 0, 0};
+    for (Region& region : regions) {
+        for (Point& p : region.outer) p = apply(map, p);
+        for (Polygon& hole : region.holes)
+            for (Point& p : hole) p = apply(map, p);
+    }
+    return regions;
+}
+
+struct Row {
+    double y, low, high;  // the line's height and the band it answers for
+};
+std::vector<Row> rows_of(double low, double high, double spacing) {
+    const int n = std::max(1, static_cast<int>(std::ceil((high - low) / spacing - line_slack)));
+    std::vector<Row> rows;
+    for (int i = 0; i < n; ++i) {
+        const double a = low + (high - low) * i / n, b = low + (high - low) * (i + 1) / n;
+        rows.push_back({(a + b) / 2, a, b});
+    }
+    return rows;
+}
+
+struct Interval {
+    double from, to;
+};
+/// Where a level line meets the regions. O(corners).
+std::vector<Interval> met(const Regions& regions, double y) {
+    std::vector<double> xs;
+    const auto ring = [&](const Polygon& polygon) {
+        for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+            const Point a = polygon[j], b = polygon[i];
+            if ((a.y > y) != (b.y > y)) xs.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+        }
+    };
+    for (const Region& region : regions) {
+        ring(region.outer);
+        for (const Polygon& hole : region.holes) ring(hole);
+    }
+    std::ranges::sort(xs);
+    std::vector<Interval> intervals;
+    for (std::size_t i = 0; i + 1 < xs.size(); i += 2) intervals.push_back({xs[i], xs[i + 1]});
+    return intervals;
+}
+
+/// What of the band a part reaches, left to right.
+Interval reach(const Polygon& part, const Row& row) {
+    Interval whole{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    const auto take = [&](double x) { whole = {std::min(whole.from, x), std::max(whole.to, x)}; };
+    for (std::size_t i = 0, j = part.size() - 1; i < part.size(); j = i++) {
+        const Point a = part[j], b = part[i];
+        if (a.y >= row.low && a.y <= row.high) take(a.x);
+        for (double y : {row.low, row.high})
+            if ((a.y > y) != (b.y > y)) take(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+    return whole;
+}
+
+/// The lines of one part, bottom up, each left to right.
+std::vector<Polyline> lines_of(const Polygon& part, const Regions& room, const Options& options) {
+    std::vector<Polyline> lines;
+    const Box box = bounds(part);
+    for (const Row& row : rows_of(box.low.y, box.high.y, options.spacing)) {
+        const Interval wish = reach(part, row);
+        Interval best{0, 0};
+        for (const Interval& free : met(room, row.y)) {
+            const Interval both{std::max(free.from, wish.from), std::min(free.to, wish.to)};
+            if (both.to - both.from > best.to - best.from) best = both;
+        }
+        if (best.to - best.from > shortest_line * options.width) lines.push_back({{best.from, row.y}, {best.to, row.y}});
+    }
+    return lines;
+}
+
+struct Split {
+    std::vector<Polygon> parts;  // turned level
+    std::optional<std::string> replaced;
+};
+Split split(const Regions& target, const Options& options) {
+    Split result;
+    for (const Region& region : target) {
+        std::vector<Polygon> parts;
+        if (options.partition == Partition::optimal_convex) {
+            // Fewer corners than the limit matter more than the last millimetre: thin as far as the rake hides it.
+            const Regions plain = simplified({region}, options.width / 50);
+            auto convex = plain.size() == 1 ? convex_parts(plain[0]) : convex_parts(region);
+            if (convex) parts = std::move(*convex);
+            else result.replaced = convex.error().reason;
+        }
+        if (parts.empty()) parts = monotone_parts(region, 0);
+        for (Polygon& part : parts) {
+            if (options.part_inset <= 0) {
+                result.parts.push_back(std::move(part));
+                continue;
+            }
+            for (Region& smaller : inset({{std::move(part), {}}}, options.part_inset)) result.parts.push_back(std::move(smaller.outer));
+        }
+    }
+    return result;
+}
+
+/// Fewest lines; of equals the fewest parts, then the first.
+double best_direction(const Region& region, const Regions& target, const Options& options) {
+    const Regions plain = simplified({region}, options.width / 4);
+    std::vector<std::pair<double, double>> edges;  // -length, direction
+    for (const Region& part : plain.empty() ? Regions{region} : plain)
+        for (std::size_t i = 0, n = part.outer.size(); i < n; ++i) {
+            const Point edge = part.outer[(i + 1) % n] - part.outer[i];
+            double direction = heading(edge);
+            if (direction < 0) direction += pi;
+            if (direction >= pi - 1e-9) direction = 0;
+            edges.emplace_back(-length(edge), direction);
+        }
+    std::ranges::sort(edges);
+    std::vector<double> candidates;
+    const auto add = [&](double direction) {
+        if (std::ranges::none_of(candidates, [&](double c) { return std::abs(c - direction) < 0.01; })) candidates.push_back(direction);
+    };
+    for (const auto& [minus_length, direction] : edges) {
+        if (static_cast<int>(candidates.size()) >= most_directions) break;
+        add(direction);
+    }
+    add(0);
+    add(pi / 2);
+    double best = 0, least = std::numeric_limits<double>::infinity();
+    for (double direction : candidates) {
+        double lines = 0;
+        for (const Region& part : turned(target, -direction))
+            for (const Polygon& cell : monotone_parts(part, 0)) {
+                const Box box = bounds(cell);
+                lines += std::max(1.0, std::ceil(box.height() / options.spacing - line_slack)) + 0.5;
+            }
+        if (lines < least - 1e-9) least = lines, best = direction;
+    }
+    return best;
+}
+
+/// Whether the rake's centre may go straight from a to b.
+bool free_way(const Regions& floor, Point a, Point b) {
+    const LineParts parts = parted({a, b}, floor);
+    double outside = 0;
+    for (const Polyline& part : parts.outside) outside += length(part);
+    return outside <= 1e-6 * (1 + distance(a, b));
+}
+
+/// A part's lines as passes, begun at the first or last line, at its left or right end: the nearest of the four to `here`.
+std::vector<Polyline> driven(std::vector<Polyline> lines, Point here, const Regions& floor, const Options& options) {
+    double best = std::numeric_limits<double>::infinity();
+    bool from_top = false, from_right = false;
+    for (bool top : {false, true})
+        for (bool right : {false, true}) {
+            const Polyline& line = top ? lines.back() : lines.front();
+            if (const double d = distance(here, right ? line.back() : line.front()); d < best)
+                best = d, from_top = top, from_right = right;
+        }
+    if (from_top) std::ranges::reverse(lines);
+    std::vector<Polyline> passes;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        Polyline line = (i % 2 == 0) == from_right ? reversed(lines[i]) : lines[i];
+        const bool goes_on = options.rake_turns && !passes.empty() &&
+                             distance(passes.back().back(), line.front()) < 3 * options.spacing &&
+                             free_way(floor, passes.back().back(), line.front());
+        if (goes_on) passes.back().insert(passes.back().end(), line.begin(), line.end());
+        else passes.push_back(std::move(line));
+    }
+    return passes;
+}
+
+}  // namespace
+
+std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, const Options& options,
+                                Fill& account) {
+    const double w = options.width;
+    const Regions room = room_for_centre(region, place, options, account);
+    if (room.empty()) return {};
+    // With a border the lines reach a little into its rings, so that no hairline stays between; without one they serve the whole.
+    const Regions target = options.border ? inset(room, 0.495 * w) : inset(room, -w / 2);
+    const double direction = options.direction.value_or(best_direction(region, target, options));
+    const Regions level_room = turned(room, -direction);
+    const Regions floor = inset(level_room, -0.01 * w);
+
+    std::vector<std::vector<Polyline>> parts;
+    if (options.partition == Partition::none) {
+        for (const Region& part : turned(target, -direction)) {
+            std::vector<Polyline> lines;
+            const Box box = bounds(part);
+            for (const Row& row : rows_of(box.low.y, box.high.y, options.spacing))
+                for (const Interval& piece : met({part}, row.y))
+                    for (const Interval& free : met(level_room, row.y)) {
+                        const double from = std::max(piece.from, free.from), to = std::min(piece.to, free.to);
+                        if (to - from > shortest_line * w) lines.push_back({{from, row.y}, {to, row.y}});
+                    }
+            if (!lines.empty()) parts.push_back(std::move(lines));
+        }
+    } else {
+        Split cells = split(turned(target, -direction), options);
+        if (cells.replaced)
+            account.warnings.push_back({place, fmt::format("{}: the monotone partition is used", *cells.replaced)});
+        for (const Polygon& part : cells.parts)
+            if (std::vector<Polyline> lines = lines_of(part, level_room, options); !lines.empty()) parts.push_back(std::move(lines));
+    }
+
+    std::vector<Pass> passes;
+    const Affine back{std::cos(direction), std::sin(direction), -std::sin(direction), std::cos(direction), 0, 0};
+    Point here = parts.empty() ? Point{} : parts.front().front().front();
+    while (!parts.empty()) {
+        const auto away = [&](const std::vector<Polyline>& lines) {
+            return std::min({distance(here, lines.front().front()), distance(here, lines.front().back()),
+                             distance(here, lines.back().front()), distance(here, lines.back().back())});
+        };
+        const auto next = std::ranges::min_element(parts, {}, away);
+        for (Polyline& line : driven(std::move(*next), here, floor, options)) {
+            here = line.back();
+            const double turn = options.turn_radius > 0 ? std::min(options.turn_radius, options.spacing / 2) : 0;
+            line = rounded(line, turn);
+            for (Point& p : line) p = apply(back, p);
+            passes.push_back({{}, std::move(line)});
+        }
+        parts.erase(next);
+    }
+
+    if (options.border) {
+        std::vector<Ring> holes, outers;
+        const auto ring_of = [](const Polygon& line) { return Ring{line, 0, true, perimeter(line), bounds(line)}; };
+        for (const Region& part : simplified(room, std::min(options.tolerance, w / 200))) {
+            outers.push_back(ring_of(part.outer));
+            for (const Polygon& hole : part.holes) holes.push_back(ring_of(hole));
+        }
+        for (std::vector<Ring>* rings : {&holes, &outers})
+            while (!rings->empty()) {
+                const Point from = passes.empty() ? rings->front().line.front() : passes.back().line.back();
+                const auto next = std::ranges::min_element(*rings, {}, [&](const Ring& ring) { return nearest(ring, from).distance; });
+                const Polyline line = along(*next, nearest(*next, from).s, next->length);
+                passes.push_back({{}, rounded(line, options.turn_radius)});
+                rings->erase(next);
+            }
+    }
+    return passes;
+}
+
+}  // namespace strandline::fill
