@@ -15,7 +15,7 @@ struct Interval {
     double length, k, dk, limit;
 };
 
-Interval interval(const Run& run, std::size_t i) {
+Interval interval(const Course& run, std::size_t i) {
     const double length = run.s[i + 1] - run.s[i];
     return {length, std::max(std::abs(run.curvature[i]), std::abs(run.curvature[i + 1])),
             std::abs(run.curvature[i + 1] - run.curvature[i]) / length, run.limit[i]};
@@ -43,7 +43,7 @@ double reached(double from, const Interval& at, const Robot& robot) {
 
 }  // namespace
 
-std::vector<double> speeds_along(const Run& run, const Robot& robot) {
+std::vector<double> speeds_along(const Course& run, const Robot& robot) {
     const std::size_t n = run.s.size();
     std::vector<Interval> intervals(n - 1);
     for (std::size_t i = 0; i + 1 < n; ++i) intervals[i] = interval(run, i);

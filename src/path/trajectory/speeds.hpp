@@ -8,11 +8,11 @@ namespace strandline::trajectory {
 
 /// States of one go from stand to stand: arc length and curvature at each, the speed limit on each interval
 /// (n - 1).
-struct Run {
+struct Course {
     std::vector<double> s, curvature, limit;
 };
 /// Speed at each state: 0 at both ends, the largest within the robot's limits between. Equal s are not
 /// allowed. O(n).
-std::vector<double> speeds_along(const Run& run, const Robot& robot);
+std::vector<double> speeds_along(const Course& run, const Robot& robot);
 
 }  // namespace strandline::trajectory

@@ -145,7 +145,7 @@ class Timer {
     /// Times everything driven since the last stand and ends in a stand.
     void stand() {
         if (run_.empty()) return;
-        Run run;
+        Course run;
         double offset = 0;
         for (const Part& part : run_) {
             const double limit = part.leg->motion == Motion::draw ? robot_.speed : robot_.travel_speed;
