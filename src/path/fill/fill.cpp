@@ -28,12 +28,14 @@ Stroke stroke_of(const Polyline& line, int element, const Options& options) {
 }
 
 /// The region is nowhere as wide as the rake: one pass along its middle, as it is better seen than missing.
-std::vector<Pass> narrow_passes(const Region& region, const std::string& place, const Options& options, Fill& account) {
+std::vector<Pass> narrow_passes(const Region& region, const std::string& place, const Options& options,
+                                Fill& account) {
     const Polyline middle = region.holes.empty() ? middle_line(region.outer, options.width) : Polyline{};
     if (middle.size() < 2 || area(region) < options.min_area) {
         ++account.dropped_parts;
         account.warnings.push_back(
-            {place, fmt::format("is narrower than the rake ({} m) or smaller than {} m2: not filled", options.width, options.min_area)});
+            {place, fmt::format("is narrower than the rake ({} m) or smaller than {} m2: not filled",
+                                options.width, options.min_area)});
         return {};
     }
     account.warnings.push_back(
@@ -43,7 +45,8 @@ std::vector<Pass> narrow_passes(const Region& region, const std::string& place, 
 
 }  // namespace
 
-Regions room_for_centre(const Region& region, const std::string& place, const Options& options, Fill& account) {
+Regions room_for_centre(const Region& region, const std::string& place, const Options& options,
+                        Fill& account) {
     const double half = options.width / 2;
     Regions room = inset({region}, half);
     const auto too_small = [&](const Region& part) { return area(inset({part}, -half)) < options.min_area; };
@@ -52,10 +55,14 @@ Regions room_for_centre(const Region& region, const std::string& place, const Op
     if (room.empty()) return room;
     const Regions bare = subtracted({region}, inset(room, -half * 1.01));
     if (area(bare) > std::max(options.min_area, bare_share * area(region))) {
-        const auto largest = std::ranges::max_element(bare, {}, [](const Region& part) { return area(part); });
+        const auto largest =
+            std::ranges::max_element(bare, {}, [](const Region& part) { return area(part); });
         const Point at = centroid(largest->outer);
-        account.warnings.push_back({place, fmt::format("{:.3g} m2 is too narrow for the rake and left bare, most of it near ({:.2f}, {:.2f})",
-                                                       area(bare), at.x, at.y)});
+        account.warnings.push_back(
+            {place,
+             fmt::format(
+                 "{:.3g} m2 is too narrow for the rake and left bare, most of it near ({:.2f}, {:.2f})",
+                 area(bare), at.x, at.y)});
     }
     return room;
 }

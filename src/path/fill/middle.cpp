@@ -14,7 +14,8 @@ Polyline middle_line(const Polygon& outline, double widest) {
     const double round = perimeter(outline);
     Polyline loop = outline;
     loop.push_back(outline.front());
-    // Equal steps around, so that pairs are plain indices; corners are added as candidates by their nearest sample.
+    // Equal steps around, so that pairs are plain indices; corners are added as candidates by their nearest
+    // sample.
     constexpr int n = 2 * samples * 2;
     std::vector<Point> even;
     {

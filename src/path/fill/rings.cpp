@@ -9,9 +9,10 @@ namespace {
 // All of these are shares of the rake's width.
 constexpr double speck = 0.3;        // a ring smaller than that is a blob: one straight pass covers it
 constexpr double gap_margin = 0.02;  // gaps thinner than twice that are chords against arcs
-constexpr double gap_opening = 0.06; // a gap that vanishes when shrunk by that is a corner's tip, not a ridge
-constexpr double gap_share = 0.1;    // of width^2: smaller gaps are not worth a pass
-constexpr double widest_spine = 1.15;// one pass serves a gap that is mostly not wider than that
+constexpr double gap_opening =
+    0.06;                          // a gap that vanishes when shrunk by that is a corner's tip, not a ridge
+constexpr double gap_share = 0.1;  // of width^2: smaller gaps are not worth a pass
+constexpr double widest_spine = 1.15;  // one pass serves a gap that is mostly not wider than that
 constexpr int most_levels = 4000;
 
 Ring ring_of(Polyline line, int level, bool closed) {
@@ -45,8 +46,10 @@ Polygon middle_ring(const Region& gap) {
     for (int i = 0; i < 12; ++i) {
         const double by = (low + high) / 2;
         const Regions thin = inset({gap}, by);
-        if (thin.size() == 1 && thin[0].holes.size() == gap.holes.size()) best = thin[0].outer, low = by;
-        else high = by;
+        if (thin.size() == 1 && thin[0].holes.size() == gap.holes.size())
+            best = thin[0].outer, low = by;
+        else
+            high = by;
     }
     return best;
 }
@@ -62,8 +65,10 @@ void add_spines(const Regions& gaps, int level, const Options& options, std::vec
                 continue;
             }
             Polyline spine = middle_line(part.outer, widest_spine * w);
-            if (part.holes.empty() && spine.size() >= 2) rings.push_back(ring_of(std::move(spine), level, false));
-            else if (area(part) > w * w / 4) rings.push_back(ring_of(part.outer, level, true));
+            if (part.holes.empty() && spine.size() >= 2)
+                rings.push_back(ring_of(std::move(spine), level, false));
+            else if (area(part) > w * w / 4)
+                rings.push_back(ring_of(part.outer, level, true));
         }
     }
 }
@@ -76,7 +81,8 @@ bool neighbours(const Ring& a, const Ring& b, const Options& options) {
     if (!overlaps(grown(a.box, limit), b.box)) return false;
     const auto any = [&](const Ring& from, const Ring& to) {
         const Box reach = grown(to.box, limit);
-        return std::ranges::any_of(from.line, [&](Point p) { return contains(reach, p) && nearest(to, p).distance < limit; });
+        return std::ranges::any_of(
+            from.line, [&](Point p) { return contains(reach, p) && nearest(to, p).distance < limit; });
     };
     return any(a, b) || any(b, a);
 }
@@ -156,10 +162,13 @@ Order driving_order(const std::vector<Ring>& rings, const Options& options) {
             peeled[ring] = true;
             order.parent[ring] = from;
             peel.push_back(ring);
-            // The last pushed is peeled next: deeper rings before their likes across a ridge, spines first of all (they are ends).
+            // The last pushed is peeled next: deeper rings before their likes across a ridge, spines first of
+            // all (they are ends).
             std::vector<int> next = beside[ring];
             std::ranges::stable_sort(next, [&](int a, int b) {
-                const auto rank = [&](int k) { return rings[k].closed ? (rings[k].level > rings[ring].level ? 1 : 0) : 2; };
+                const auto rank = [&](int k) {
+                    return rings[k].closed ? (rings[k].level > rings[ring].level ? 1 : 0) : 2;
+                };
                 return rank(a) < rank(b);
             });
             for (int k : next)

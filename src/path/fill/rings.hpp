@@ -1,5 +1,6 @@
 #pragma once
-// Private to the room: rings (nested insets) and spines, which is next to which, and in what order they are raked.
+// Private to the room: rings (nested insets) and spines, which is next to which, and in what order they are
+// raked.
 #include "path/fill/passes.hpp"
 
 namespace strandline::fill {
@@ -19,14 +20,16 @@ struct Foot {
 };
 Foot nearest(const Ring& ring, Point p);
 Point at(const Ring& ring, double s);
-/// From arc length `from` over `span`, backwards when negative; wraps on closed rings, stops at a spine's ends.
+/// From arc length `from` over `span`, backwards when negative; wraps on closed rings, stops at a spine's
+/// ends.
 Polyline along(const Ring& ring, double from, double span);
 
 /// All rings and spines of an area, given as room_for_centre gives it.
 std::vector<Ring> rings_of(const Regions& room, const Options& options);
 
-/// The driving order: the reverse of a connected peel from the outside in. Depth first over neighbouring rings from the outermost one;
-/// reversed, so whatever is not raked yet is one connected piece that holds the way out.
+/// The driving order: the reverse of a connected peel from the outside in. Depth first over neighbouring
+/// rings from the outermost one; reversed, so whatever is not raked yet is one connected piece that holds the
+/// way out.
 struct Order {
     std::vector<int> rings;   // first raked first
     std::vector<int> parent;  // by ring: the neighbour it leads on to, raked later; -1: ends a component

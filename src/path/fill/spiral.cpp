@@ -7,10 +7,10 @@
 namespace strandline::fill {
 namespace {
 
-constexpr double before_closure = 0.5;   // of the width: where the step leaves a ring
+constexpr double before_closure = 0.5;        // of the width: where the step leaves a ring
 constexpr double last_before_closure = 0.25;  // of the width: the border ring closes but for its round wedge
-constexpr double longest_step = 1.5;     // of the spacing, raked, within a nesting branch
-constexpr int seams = 24;                // places tried for the innermost ring's start
+constexpr double longest_step = 1.5;          // of the spacing, raked, within a nesting branch
+constexpr int seams = 24;                     // places tried for the innermost ring's start
 
 struct Seam {
     double start = 0, span = 0;  // arc length; span < 0: clockwise of the ring's own sense
@@ -23,8 +23,10 @@ struct Chain {
     double cost = 0;
 };
 
-/// Carries a start on the innermost ring through the chain; the cost counts steps that are longer than a spacing.
-void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, bool to_root, const Options& options) {
+/// Carries a start on the innermost ring through the chain; the cost counts steps that are longer than a
+/// spacing.
+void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, bool to_root,
+               const Options& options) {
     chain.seams.clear();
     chain.cost = 0;
     for (std::size_t i = 0; i < chain.rings.size(); ++i) {
@@ -32,12 +34,15 @@ void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, bool 
         const bool first = i == 0, last = i + 1 == chain.rings.size();
         Seam seam{start, ring.length};
         if (ring.closed) {
-            const double left = first && !(last && to_root) ? 0 : last && to_root ? last_before_closure : before_closure;
+            const double left = first && !(last && to_root) ? 0
+                                : last && to_root           ? last_before_closure
+                                                            : before_closure;
             if (!first) {  // go on in the sense in which the last ring was left
                 const Ring& before = rings[chain.rings[i - 1]];
                 const Seam& came = chain.seams.back();
                 const double ahead = std::copysign(1e-3 * options.width, came.span);
-                const Point motion = at(before, came.start + came.span) - at(before, came.start + came.span - ahead);
+                const Point motion =
+                    at(before, came.start + came.span) - at(before, came.start + came.span - ahead);
                 const Point mine = at(ring, start + 1e-3 * options.width) - at(ring, start);
                 if (dot(motion, mine) < 0) seam.span = -seam.span;
             }
@@ -66,7 +71,8 @@ bool sees(const Regions& floor, Point a, Point b) {
 }
 
 /// The rake-up way from one chain's end to the next one's start, along rings that are raked later.
-Polyline way_between(const std::vector<Ring>& rings, const Order& order, int from, Point start, int to, Point goal) {
+Polyline way_between(const std::vector<Ring>& rings, const Order& order, int from, Point start, int to,
+                     Point goal) {
     std::vector<int> up, down;
     for (int r = order.parent[from]; r >= 0; r = order.parent[r]) up.push_back(r);
     for (int r = order.parent[to]; r >= 0; r = order.parent[r]) down.push_back(r);
@@ -92,7 +98,8 @@ Polyline way_between(const std::vector<Ring>& rings, const Order& order, int fro
                 places.emplace_back(d, p);
             }
             for (const auto& [d, p] : places)
-                if (d < 1.1 * closest && distance(p, goal) < best) best = distance(p, goal), leave = nearest(ring, p).at;
+                if (d < 1.1 * closest && distance(p, goal) < best)
+                    best = distance(p, goal), leave = nearest(ring, p).at;
         }
         double span = nearest(ring, leave).s - enter.s;
         if (ring.closed) {

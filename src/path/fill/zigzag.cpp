@@ -1,6 +1,6 @@
 // Parallel lines, part by part, and rings along the outline last.
-// Key: everything is turned by -direction, so that lines lie level; `room` is where the rake's centre may be, `target` what the lines
-// must cover (with a border: what its rings leave).
+// Key: everything is turned by -direction, so that lines lie level; `room` is where the rake's centre may be,
+// `target` what the lines must cover (with a border: what its rings leave).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -83,7 +83,8 @@ std::vector<Polyline> lines_of(const Polygon& part, const Regions& room, const O
             const Interval both{std::max(free.from, wish.from), std::min(free.to, wish.to)};
             if (both.to - both.from > best.to - best.from) best = both;
         }
-        if (best.to - best.from > shortest_line * options.width) lines.push_back({{best.from, row.y}, {best.to, row.y}});
+        if (best.to - best.from > shortest_line * options.width)
+            lines.push_back({{best.from, row.y}, {best.to, row.y}});
     }
     return lines;
 }
@@ -97,11 +98,14 @@ Split split(const Regions& target, const Options& options) {
     for (const Region& region : target) {
         std::vector<Polygon> parts;
         if (options.partition == Partition::optimal_convex) {
-            // Fewer corners than the limit matter more than the last millimetre: thin as far as the rake hides it.
+            // Fewer corners than the limit matter more than the last millimetre: thin as far as the rake
+            // hides it.
             const Regions plain = simplified({region}, options.width / 50);
             auto convex = plain.size() == 1 ? convex_parts(plain[0]) : convex_parts(region);
-            if (convex) parts = std::move(*convex);
-            else result.replaced = convex.error().reason;
+            if (convex)
+                parts = std::move(*convex);
+            else
+                result.replaced = convex.error().reason;
         }
         if (parts.empty()) parts = monotone_parts(region, 0);
         for (Polygon& part : parts) {
@@ -109,7 +113,8 @@ Split split(const Regions& target, const Options& options) {
                 result.parts.push_back(std::move(part));
                 continue;
             }
-            for (Region& smaller : inset({{std::move(part), {}}}, options.part_inset)) result.parts.push_back(std::move(smaller.outer));
+            for (Region& smaller : inset({{std::move(part), {}}}, options.part_inset))
+                result.parts.push_back(std::move(smaller.outer));
         }
     }
     return result;
@@ -130,7 +135,8 @@ double best_direction(const Region& region, const Regions& target, const Options
     std::ranges::sort(edges);
     std::vector<double> candidates;
     const auto add = [&](double direction) {
-        if (std::ranges::none_of(candidates, [&](double c) { return std::abs(c - direction) < 0.01; })) candidates.push_back(direction);
+        if (std::ranges::none_of(candidates, [&](double c) { return std::abs(c - direction) < 0.01; }))
+            candidates.push_back(direction);
     };
     for (const auto& [minus_length, direction] : edges) {
         if (static_cast<int>(candidates.size()) >= most_directions) break;
@@ -159,8 +165,10 @@ bool free_way(const Regions& floor, Point a, Point b) {
     return outside <= 1e-6 * (1 + distance(a, b));
 }
 
-/// A part's lines as passes, begun at the first or last line, at its left or right end: the nearest of the four to `here`.
-std::vector<Polyline> driven(std::vector<Polyline> lines, Point here, const Regions& floor, const Options& options) {
+/// A part's lines as passes, begun at the first or last line, at its left or right end: the nearest of the
+/// four to `here`.
+std::vector<Polyline> driven(std::vector<Polyline> lines, Point here, const Regions& floor,
+                             const Options& options) {
     double best = std::numeric_limits<double>::infinity();
     bool from_top = false, from_right = false;
     for (bool top : {false, true})
@@ -176,8 +184,10 @@ std::vector<Polyline> driven(std::vector<Polyline> lines, Point here, const Regi
         const bool goes_on = options.rake_turns && !passes.empty() &&
                              distance(passes.back().back(), line.front()) < 3 * options.spacing &&
                              free_way(floor, passes.back().back(), line.front());
-        if (goes_on) passes.back().insert(passes.back().end(), line.begin(), line.end());
-        else passes.push_back(std::move(line));
+        if (goes_on)
+            passes.back().insert(passes.back().end(), line.begin(), line.end());
+        else
+            passes.push_back(std::move(line));
     }
     return passes;
 }
@@ -189,7 +199,8 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
     const double w = options.width;
     const Regions room = room_for_centre(region, place, options, account);
     if (room.empty()) return {};
-    // With a border the lines reach a little into its rings, so that no hairline stays between; without one they serve the whole.
+    // With a border the lines reach a little into its rings, so that no hairline stays between; without one
+    // they serve the whole.
     const Regions target = options.border ? inset(room, 0.495 * w) : inset(room, -w / 2);
     const double direction = options.direction.value_or(best_direction(region, target, options));
     const Regions level_room = turned(room, -direction);
@@ -211,13 +222,16 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
     } else {
         Split cells = split(turned(target, -direction), options);
         if (cells.replaced)
-            account.warnings.push_back({place, fmt::format("{}: the monotone partition is used", *cells.replaced)});
+            account.warnings.push_back(
+                {place, fmt::format("{}: the monotone partition is used", *cells.replaced)});
         for (const Polygon& part : cells.parts)
-            if (std::vector<Polyline> lines = lines_of(part, level_room, options); !lines.empty()) parts.push_back(std::move(lines));
+            if (std::vector<Polyline> lines = lines_of(part, level_room, options); !lines.empty())
+                parts.push_back(std::move(lines));
     }
 
     std::vector<Pass> passes;
-    const Affine back{std::cos(direction), std::sin(direction), -std::sin(direction), std::cos(direction), 0, 0};
+    const Affine back{
+        std::cos(direction), std::sin(direction), -std::sin(direction), std::cos(direction), 0, 0};
     Point here = parts.empty() ? Point{} : parts.front().front().front();
     while (!parts.empty()) {
         const auto away = [&](const std::vector<Polyline>& lines) {
@@ -227,7 +241,8 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
         const auto next = std::ranges::min_element(parts, {}, away);
         for (Polyline& line : driven(std::move(*next), here, floor, options)) {
             here = line.back();
-            const double turn = options.turn_radius > 0 ? std::min(options.turn_radius, options.spacing / 2) : 0;
+            const double turn =
+                options.turn_radius > 0 ? std::min(options.turn_radius, options.spacing / 2) : 0;
             line = rounded(line, turn);
             for (Point& p : line) p = apply(back, p);
             passes.push_back({{}, std::move(line)});
@@ -237,7 +252,9 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
 
     if (options.border) {
         std::vector<Ring> holes, outers;
-        const auto ring_of = [](const Polygon& line) { return Ring{line, 0, true, perimeter(line), bounds(line)}; };
+        const auto ring_of = [](const Polygon& line) {
+            return Ring{line, 0, true, perimeter(line), bounds(line)};
+        };
         for (const Region& part : simplified(room, std::min(options.tolerance, w / 200))) {
             outers.push_back(ring_of(part.outer));
             for (const Polygon& hole : part.holes) holes.push_back(ring_of(hole));
@@ -245,7 +262,8 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
         for (std::vector<Ring>* rings : {&holes, &outers})
             while (!rings->empty()) {
                 const Point from = passes.empty() ? rings->front().line.front() : passes.back().line.back();
-                const auto next = std::ranges::min_element(*rings, {}, [&](const Ring& ring) { return nearest(ring, from).distance; });
+                const auto next = std::ranges::min_element(
+                    *rings, {}, [&](const Ring& ring) { return nearest(ring, from).distance; });
                 const Polyline line = along(*next, nearest(*next, from).s, next->length);
                 passes.push_back({{}, rounded(line, options.turn_radius)});
                 rings->erase(next);

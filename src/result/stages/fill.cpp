@@ -21,7 +21,8 @@ Outcome<Polygon> ring_from(const Json& json, const std::string& place) {
         const Point p{point[0].get<double>(), point[1].get<double>()};
         constexpr double farthest = 1e12;  // beyond that no digits are left for a shape
         if (!is_finite(p) || std::abs(p.x) > farthest || std::abs(p.y) > farthest)
-            return fail(fmt::format("{}, point {}", place, i), "is out of range", "keep coordinates below 1e12");
+            return fail(fmt::format("{}, point {}", place, i), "is out of range",
+                        "keep coordinates below 1e12");
         ring.push_back(p);
     }
     return without_duplicate_corners(ring);
@@ -36,18 +37,17 @@ Json written(const Polyline& line) {
 }  // namespace
 
 Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) {
-    const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) {
-        std::string reason = "is not JSON";
-        try {
-            (void)Json::parse(text);
-        } catch (const Json::parse_error& error) {
-            reason = fmt::format("is not JSON: it goes wrong at byte {}", error.byte);
-        }
-        return fail(place, reason, "write {\"polygon\":{\"outer\":[[x,y],...]},\"width\":w}");
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        return fail(place, fmt::format("is not JSON: it goes wrong at byte {}", error.byte),
+                    "write {\"polygon\":{\"outer\":[[x,y],...]},\"width\":w}");
     }
-    if (!json.is_object() || !json.contains("polygon") || !json["polygon"].is_object() || !json["polygon"].contains("outer"))
-        return fail(place, "has no polygon", "write {\"polygon\":{\"outer\":[[x,y],...],\"holes\":[...]},\"width\":w}");
+    if (!json.is_object() || !json.contains("polygon") || !json["polygon"].is_object() ||
+        !json["polygon"].contains("outer"))
+        return fail(place, "has no polygon",
+                    "write {\"polygon\":{\"outer\":[[x,y],...],\"holes\":[...]},\"width\":w}");
     FillTask task;
     task.source = text;
     if (json.contains("width")) {
@@ -68,13 +68,16 @@ Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) 
         for (std::size_t i = 0; i < polygon["holes"].size(); ++i) {
             const auto hole = ring_from(polygon["holes"][i], fmt::format("{}, hole {}", place, i));
             if (!hole) return tl::unexpected(hole.error());
-            if (hole->size() < 3) task.warnings.push_back({fmt::format("{}, hole {}", place, i), "has no area: left out"});
-            else holes.push_back(*hole);
+            if (hole->size() < 3)
+                task.warnings.push_back({fmt::format("{}, hole {}", place, i), "has no area: left out"});
+            else
+                holes.push_back(*hole);
         }
     }
     constexpr double same_area = 1e-6;
     if (task.regions.size() > 1 || std::abs(area(task.regions) - drawn) > same_area * area(task.regions))
-        task.warnings.push_back({place + ", outer", "touches or crosses itself: repaired by the even-odd rule"});
+        task.warnings.push_back(
+            {place + ", outer", "touches or crosses itself: repaired by the even-odd rule"});
     if (!holes.empty()) {
         Regions cut_out;  // one by one: holes that overlap stay holes
         for (const Polygon& hole : holes) cut_out = united(cut_out, resolved({hole}, FillRule::even_odd));
@@ -93,7 +96,8 @@ std::string write_strokes(const FillTask& task, double width, const std::vector<
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         Polyline line;
         for (const Curve& curve : strokes[i].rake_path) {
-            // A chord of length c leaves an arc of curvature k by k c^2 / 8; a straight curve needs its ends only.
+            // A chord of length c leaves an arc of curvature k by k c^2 / 8; a straight curve needs its ends
+            // only.
             const double bend = max_curvature(curve);
             const double whole = length(curve);
             const double step = bend > 0 ? std::min(whole, std::sqrt(8 * tolerance / bend)) : whole;
