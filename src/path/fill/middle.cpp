@@ -50,6 +50,21 @@ Polyline middle_line(const Polygon& outline, double widest) {
     return middle;
 }
 
+Polyline thinned(const Polyline& line, double tolerance) {
+    if (line.size() < 3) return line;
+    std::size_t farthest = 0;
+    double most = tolerance;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i)
+        if (const double d = distance_to_segment(line[i], line.front(), line.back()); d > most)
+            most = d, farthest = i;
+    if (farthest == 0) return {line.front(), line.back()};
+    const auto split = line.begin() + static_cast<std::ptrdiff_t>(farthest);
+    Polyline kept = thinned({line.begin(), split + 1}, tolerance);
+    const Polyline rest = thinned({split, line.end()}, tolerance);
+    kept.insert(kept.end(), rest.begin() + 1, rest.end());
+    return kept;
+}
+
 Polyline rounded(const Polyline& line, double radius) {
     constexpr double least_turn = 0.1, arc_step = 0.15;  // rad
     if (radius <= 0 || line.size() < 3) return line;

@@ -22,6 +22,8 @@ Regions room_for_centre(const Region& region, const std::string& place, const Op
 /// equally far from the tip at which pairing leaves the least distance. Empty when a pair is farther apart
 /// than `widest`. O(corners), 48 x 64 samples.
 Polyline middle_line(const Polygon& outline, double widest);
+/// The chain without corners that lie within `tolerance` of it: Douglas-Peucker (1973).
+Polyline thinned(const Polyline& line, double tolerance);
 /// The chain with its corners rounded to `radius`, or as much as half the shorter neighbour allows. Corners
 /// of less than about 6 degrees stay.
 Polyline rounded(const Polyline& line, double radius);

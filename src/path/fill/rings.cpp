@@ -7,12 +7,16 @@ namespace strandline::fill {
 namespace {
 
 // All of these are shares of the rake's width.
-constexpr double speck = 0.3;        // a ring smaller than that is a blob: one straight pass covers it
+constexpr double thinnest_ring =
+    0.12;  // half the width of an area whose ring would be two passes over one place: a spine serves it
 constexpr double gap_margin = 0.02;  // gaps thinner than twice that are chords against arcs
 constexpr double gap_opening =
-    0.06;                          // a gap that vanishes when shrunk by that is a corner's tip, not a ridge
-constexpr double gap_share = 0.1;  // of width^2: smaller gaps are not worth a pass
-constexpr double widest_spine = 1.15;  // one pass serves a gap that is mostly not wider than that
+    0.06;  // a gap that vanishes when shrunk by that is a corner's tip, not a ridge
+constexpr double core_share =
+    0.1;  // of width^2: a smaller gap in the middle of the innermost ring is not worth a pass
+constexpr double ridge_share = 0.6;    // of width^2: nor is one between rings; a 36 degree corner leaves 0.46
+constexpr double widest_spine = 1.15;  // one pass serves a gap that is nowhere wider than that
+constexpr double spine_thinning = 0.03;  // the middle line of a jagged gap is not jagged
 constexpr int most_levels = 4000;
 
 Ring ring_of(Polyline line, int level, bool closed) {
@@ -20,11 +24,6 @@ Ring ring_of(Polyline line, int level, bool closed) {
     ring.length = closed ? perimeter(ring.line) : length(ring.line);
     ring.box = bounds(ring.line);
     return ring;
-}
-
-bool is_speck(const Region& region, const Options& options) {
-    const Box box = bounds(region);
-    return std::max(box.width(), box.height()) < speck * options.width;
 }
 
 /// Rounds outer corners to the radius; keeps a part as it is when rounding would take a third of it.
@@ -54,17 +53,21 @@ Polygon middle_ring(const Region& gap) {
     return best;
 }
 
-void add_spines(const Regions& gaps, int level, const Options& options, std::vector<Ring>& rings) {
+void add_spines(const Regions& gaps, const Regions& next, int level, const Options& options,
+                std::vector<Ring>& rings) {
     const double w = options.width;
     for (const Region& gap : inset(gaps, gap_opening * w)) {
         const Regions whole = inset({gap}, -gap_opening * w);
-        if (area(whole) < gap_share * w * w) continue;
+        // In the middle of an innermost ring nothing else comes near; elsewhere the next rings lie beside the
+        // gap.
+        const bool core = intersected(inset(whole, -0.6 * w), next).empty();
+        if (area(whole) < (core ? core_share : ridge_share) * w * w) continue;
         for (const Region& part : whole) {
             if (part.holes.size() == 1) {
                 rings.push_back(ring_of(middle_ring(part), level, true));
                 continue;
             }
-            Polyline spine = middle_line(part.outer, widest_spine * w);
+            Polyline spine = thinned(middle_line(part.outer, widest_spine * w), spine_thinning * w);
             if (part.holes.empty() && spine.size() >= 2)
                 rings.push_back(ring_of(std::move(spine), level, false));
             else if (area(part) > w * w / 4)
@@ -136,9 +139,9 @@ std::vector<Ring> rings_of(const Regions& room, const Options& options) {
             for (const Polygon& hole : region.holes) rings.push_back(ring_of(hole, level, true));
         }
         Regions next = simplified(inset(here, options.spacing), thinning);
-        std::erase_if(next, [&](const Region& region) { return is_speck(region, options); });
+        std::erase_if(next, [&](const Region& part) { return inset({part}, thinnest_ring * w).empty(); });
         const Regions bare = inset(here, (0.5 + gap_margin) * w);
-        add_spines(subtracted(bare, inset(next, -(0.5 + gap_margin) * w)), level + 1, options, rings);
+        add_spines(subtracted(bare, inset(next, -(0.5 + gap_margin) * w)), next, level + 1, options, rings);
         here = std::move(next);
     }
     return rings;

@@ -10,10 +10,14 @@ namespace {
 constexpr double before_closure = 0.5;        // of the width: where the step leaves a ring
 constexpr double last_before_closure = 0.25;  // of the width: the border ring closes but for its round wedge
 constexpr double longest_step = 1.5;          // of the spacing, raked, within a nesting branch
-constexpr int seams = 24;                     // places tried for the innermost ring's start
+constexpr double near_next = 1.06;   // of the spacing: where a ring counts as running beside the next
+constexpr double bend_weight = 0.5;  // a seam in a bend leaves gaps: its lost arc length counts half
+constexpr int seams = 24;            // places tried for the innermost ring's start
 
+/// How a ring is gone through. `shift`: rake-up arc along it to the start, from where the step from the last
+/// ring meets it.
 struct Seam {
-    double start = 0, span = 0;  // arc length; span < 0: clockwise of the ring's own sense
+    double start = 0, span = 0, shift = 0;  // arc length; span < 0: against the ring's own sense
 };
 
 /// One chain of rings: each leads on to the next, the innermost first.
@@ -23,41 +27,58 @@ struct Chain {
     double cost = 0;
 };
 
-/// Carries a start on the innermost ring through the chain; the cost counts steps that are longer than a
-/// spacing.
+/// The place nearest to `s` along the ring that runs beside the next ring; `s` when there is none.
+double beside_next(const Ring& ring, double s, const Ring& next, double limit, double step) {
+    for (double off = 0; off <= ring.length / 2; off += step)
+        for (double sign : {1.0, -1.0})
+            if (nearest(next, at(ring, s + sign * off)).distance < limit) return s + sign * off;
+    return s;
+}
+
+/// Carries a start on the innermost ring through the chain; the cost counts rake-up metres and seams in
+/// bends.
 void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, bool to_root,
                const Options& options) {
+    const double w = options.width;
     chain.seams.clear();
     chain.cost = 0;
     for (std::size_t i = 0; i < chain.rings.size(); ++i) {
         const Ring& ring = rings[chain.rings[i]];
         const bool first = i == 0, last = i + 1 == chain.rings.size();
-        Seam seam{start, ring.length};
+        Seam seam{start, ring.length, 0};
         if (ring.closed) {
-            const double left = first && !(last && to_root) ? 0
-                                : last && to_root           ? last_before_closure
-                                                            : before_closure;
+            const double left = last && to_root ? last_before_closure : first ? 0 : before_closure;
             if (!first) {  // go on in the sense in which the last ring was left
                 const Ring& before = rings[chain.rings[i - 1]];
                 const Seam& came = chain.seams.back();
-                const double ahead = std::copysign(1e-3 * options.width, came.span);
+                const double ahead = std::copysign(1e-3 * w, came.span);
                 const Point motion =
                     at(before, came.start + came.span) - at(before, came.start + came.span - ahead);
-                const Point mine = at(ring, start + 1e-3 * options.width) - at(ring, start);
+                const Point mine = at(ring, start + 1e-3 * w) - at(ring, start);
                 if (dot(motion, mine) < 0) seam.span = -seam.span;
             }
-            const double span = std::max(ring.length * 0.5, ring.length - left * options.width);
+            const double span = std::max(ring.length * 0.5, ring.length - left * w);
             seam.span = std::copysign(span, seam.span);
+            if (!last) {  // where the ring would end far from the next one, begin elsewhere
+                const double end = seam.start + seam.span;
+                const double better =
+                    beside_next(ring, end, rings[chain.rings[i + 1]], near_next * options.spacing, w / 4);
+                seam.shift = better - end;
+                seam.start += seam.shift;
+                chain.cost += std::abs(seam.shift);
+            }
+            const double end = seam.start + seam.span, reach = std::min(w, ring.length / 4);
+            chain.cost += bend_weight * (2 * reach - distance(at(ring, end - reach), at(ring, end)) -
+                                         distance(at(ring, end), at(ring, end + reach)));
         } else if (start > ring.length / 2) {
-            seam = {ring.length, -ring.length};
+            seam = {ring.length, -ring.length, 0};
         } else {
-            seam = {0, ring.length};
+            seam = {0, ring.length, 0};
         }
         chain.seams.push_back(seam);
         if (last) break;
-        const Point end = at(ring, seam.start + seam.span);
-        const Foot foot = nearest(rings[chain.rings[i + 1]], end);
-        chain.cost += std::max(0.0, foot.distance - 1.02 * options.spacing);
+        const Foot foot = nearest(rings[chain.rings[i + 1]], at(ring, seam.start + seam.span));
+        chain.cost += std::max(0.0, foot.distance - near_next * options.spacing);
         start = foot.s;
     }
 }
@@ -153,10 +174,16 @@ std::vector<Pass> spiral_passes(const Region& region, const std::string& place, 
             way = way_between(rings, order, last_ring, passes.back().line.back(), chain.rings.front(),
                               at(innermost, chain.seams.front().start));
         for (std::size_t i = 0; i < chain.rings.size(); ++i) {
-            const Polyline part = along(rings[chain.rings[i]], chain.seams[i].start, chain.seams[i].span);
-            if (!line.empty() && (distance(line.back(), part.front()) > longest_step * options.spacing ||
-                                  !sees(floor, line.back(), part.front())))
+            const Ring& ring = rings[chain.rings[i]];
+            const Seam& seam = chain.seams[i];
+            const Polyline part = along(ring, seam.start, seam.span);
+            const bool shifted = i > 0 && std::abs(seam.shift) > options.width / 4;
+            if (!line.empty() &&
+                (shifted || distance(line.back(), part.front()) > longest_step * options.spacing ||
+                 !sees(floor, line.back(), part.front()))) {
                 finish(std::exchange(way, {}));
+                if (shifted) way = along(ring, seam.start - seam.shift, seam.shift);
+            }
             line.insert(line.end(), part.begin(), part.end());
         }
         finish(std::move(way));
