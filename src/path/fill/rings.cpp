@@ -19,13 +19,6 @@ constexpr double widest_spine = 1.15;  // one pass serves a gap that is nowhere 
 constexpr double spine_thinning = 0.03;  // the middle line of a jagged gap is not jagged
 constexpr int most_levels = 4000;
 
-Ring ring_of(Polyline line, int level, bool closed) {
-    Ring ring{std::move(line), level, closed, 0, {}};
-    ring.length = closed ? perimeter(ring.line) : length(ring.line);
-    ring.box = bounds(ring.line);
-    return ring;
-}
-
 /// Rounds outer corners to the radius; keeps a part as it is when rounding would take a third of it.
 Regions softened(const Regions& regions, double radius) {
     if (radius <= 0) return regions;
@@ -92,16 +85,27 @@ bool neighbours(const Ring& a, const Ring& b, const Options& options) {
 
 }  // namespace
 
+Ring ring_of(Polyline line, int level, bool closed) {
+    Ring ring{std::move(line), level, closed, 0, {}, {}};
+    for (std::size_t i = 0; i < ring.line.size(); ++i) {
+        if (i > 0) ring.length += distance(ring.line[i - 1], ring.line[i]);
+        ring.arcs.push_back(ring.length);
+    }
+    if (closed) ring.length += distance(ring.line.back(), ring.line.front());
+    ring.box = bounds(ring.line);
+    return ring;
+}
+
 Foot nearest(const Ring& ring, Point p) {
     Foot best;
-    double s = 0;
     const std::size_t n = ring.line.size();
     if (n == 1) return {0, ring.line[0], distance(p, ring.line[0])};
+    double least = std::numeric_limits<double>::infinity();  // squared
     for (std::size_t i = 0; i + (ring.closed ? 0 : 1) < n; ++i) {
-        const Point a = ring.line[i], b = ring.line[(i + 1) % n];
+        const Point a = ring.line[i], b = ring.line[i + 1 < n ? i + 1 : 0];
         const Point foot = nearest_on_segment(p, a, b);
-        if (const double d = distance(p, foot); d < best.distance) best = {s + distance(a, foot), foot, d};
-        s += distance(a, b);
+        if (const double d = dot(p - foot, p - foot); d < least)
+            least = d, best = {ring.arcs[i] + distance(a, foot), foot, std::sqrt(d)};
     }
     return best;
 }
@@ -125,7 +129,19 @@ Polyline along(const Ring& ring, double from, double span) {
     return without_duplicates(part, 1e-9 * ring.length);
 }
 
-Point at(const Ring& ring, double s) { return along(ring, s, 0).front(); }
+Point at(const Ring& ring, double s) {
+    if (ring.closed) {
+        s = std::fmod(s, ring.length);
+        if (s < 0) s += ring.length;
+    }
+    const auto after = std::ranges::upper_bound(ring.arcs, s);
+    if (after == ring.arcs.begin()) return ring.line.front();
+    const auto i = static_cast<std::size_t>(after - ring.arcs.begin()) - 1;
+    if (i + 1 == ring.line.size() && !ring.closed) return ring.line.back();
+    const Point a = ring.line[i], b = ring.line[i + 1 < ring.line.size() ? i + 1 : 0];
+    const double d = distance(a, b);
+    return d > 0 ? between(a, b, std::min(1.0, (s - ring.arcs[i]) / d)) : a;
+}
 
 std::vector<Ring> rings_of(const Regions& room, const Options& options) {
     const double w = options.width, thinning = std::min(options.tolerance, w / 200);

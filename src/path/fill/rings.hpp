@@ -12,7 +12,9 @@ struct Ring {
     bool closed = true;
     double length = 0;
     Box box;
+    std::vector<double> arcs;  // arc length at each point
 };
+Ring ring_of(Polyline line, int level, bool closed);
 struct Foot {
     double s = 0;
     Point at;

@@ -37,7 +37,7 @@ double beside_next(const Ring& ring, double s, const Ring& next, double limit, d
 
 /// Carries a start on the innermost ring through the chain; the cost counts rake-up metres and seams in
 /// bends.
-void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, bool to_root,
+void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, const Ring* onward,
                const Options& options) {
     const double w = options.width;
     chain.seams.clear();
@@ -47,7 +47,7 @@ void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, bool 
         const bool first = i == 0, last = i + 1 == chain.rings.size();
         Seam seam{start, ring.length, 0};
         if (ring.closed) {
-            const double left = last && to_root ? last_before_closure : first ? 0 : before_closure;
+            const double left = last ? last_before_closure : first ? 0 : before_closure;
             if (!first) {  // go on in the sense in which the last ring was left
                 const Ring& before = rings[chain.rings[i - 1]];
                 const Seam& came = chain.seams.back();
@@ -59,10 +59,11 @@ void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, bool 
             }
             const double span = std::max(ring.length * 0.5, ring.length - left * w);
             seam.span = std::copysign(span, seam.span);
-            if (!last) {  // where the ring would end far from the next one, begin elsewhere
+            if (const Ring* next =
+                    last ? onward : &rings[chain.rings[i + 1]]) {  // where the ring would end far from the
+                                                                   // next one, begin elsewhere
                 const double end = seam.start + seam.span;
-                const double better =
-                    beside_next(ring, end, rings[chain.rings[i + 1]], near_next * options.spacing, w / 4);
+                const double better = beside_next(ring, end, *next, near_next * options.spacing, w / 4);
                 seam.shift = better - end;
                 seam.start += seam.shift;
                 chain.cost += std::abs(seam.shift);
@@ -155,14 +156,15 @@ std::vector<Pass> spiral_passes(const Region& region, const std::string& place, 
     int last_ring = -1;
     for (Chain& chain : chains_of(order)) {
         const Ring& innermost = rings[chain.rings.front()];
-        const bool to_root = order.parent[chain.rings.back()] < 0;
+        const int parent = order.parent[chain.rings.back()];
+        const Ring* onward = parent < 0 ? nullptr : &rings[parent];
         double best = std::numeric_limits<double>::infinity(), best_start = 0;
         for (int k = 0; k < seams; ++k) {
             const double start = innermost.length * (k + 0.5) / seams;
-            lay_seams(chain, rings, start, to_root, options);
+            lay_seams(chain, rings, start, onward, options);
             if (chain.cost < best - 1e-9 * options.width) best = chain.cost, best_start = start;
         }
-        lay_seams(chain, rings, best_start, to_root, options);
+        lay_seams(chain, rings, best_start, onward, options);
 
         Polyline line;
         const auto finish = [&](Polyline way) {

@@ -13,6 +13,7 @@ namespace {
 constexpr int most_directions = 12;     // of the longest edges, beside level and upright
 constexpr double line_slack = 0.01;     // of the spacing: a part that is higher by less gets no further line
 constexpr double shortest_line = 0.05;  // of the width: shorter ones are left to the border
+constexpr double turn_cost = 0.5;       // of the width, against metres raked: fewer and longer lines
 
 Regions turned(Regions regions, double angle) {
     const Affine map{std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle), 0, 0};
@@ -72,20 +73,59 @@ Interval reach(const Polygon& part, const Row& row) {
     return whole;
 }
 
-/// The lines of one part, bottom up, each left to right.
-std::vector<Polyline> lines_of(const Polygon& part, const Regions& room, const Options& options) {
-    std::vector<Polyline> lines;
-    const Box box = bounds(part);
-    for (const Row& row : rows_of(box.low.y, box.high.y, options.spacing)) {
-        const Interval wish = reach(part, row);
-        Interval best{0, 0};
-        for (const Interval& free : met(room, row.y)) {
-            const Interval both{std::max(free.from, wish.from), std::min(free.to, wish.to)};
-            if (both.to - both.from > best.to - best.from) best = both;
+/// The lines of each part, bottom up, each left to right. All parts share one set of rows: where two parts
+/// need the same row, their pieces become one line, which goes to the part that needs more of it.
+std::vector<std::vector<Polyline>> lines_of(const std::vector<Polygon>& parts, const Regions& room,
+                                            bool rows_shared, const Options& options) {
+    struct Piece {
+        Interval span;
+        std::size_t part;
+        double share;
+    };
+    std::vector<std::vector<Polyline>> lines(parts.size());
+    std::vector<Box> boxes;
+    Box whole;
+    for (const Polygon& part : parts) boxes.push_back(bounds(part)), whole = united(whole, boxes.back());
+    const auto rake = [&](const Row& row, std::size_t from, std::size_t to) {
+        std::vector<Interval> open;
+        std::vector<Piece> pieces;
+        for (std::size_t k = from; k < to; ++k) {
+            if (std::min(boxes[k].high.y, row.high) - std::max(boxes[k].low.y, row.low) <=
+                line_slack * options.spacing)
+                continue;
+            if (open.empty()) open = met(room, row.y);
+            const Interval wish = reach(parts[k], row);
+            Interval best{0, 0};
+            for (const Interval& free : open) {
+                const Interval both{std::max(free.from, wish.from), std::min(free.to, wish.to)};
+                if (both.to - both.from > best.to - best.from) best = both;
+            }
+            if (best.to - best.from > shortest_line * options.width)
+                pieces.push_back({best, k, best.to - best.from});
         }
-        if (best.to - best.from > shortest_line * options.width)
-            lines.push_back({{best.from, row.y}, {best.to, row.y}});
+        std::ranges::sort(pieces, {}, [](const Piece& p) { return std::pair(p.span.from, p.part); });
+        std::vector<Piece> merged;
+        for (const Piece& piece : pieces) {
+            const bool same = !merged.empty() && piece.span.from <= merged.back().span.to;
+            if (!same) {
+                merged.push_back(piece);
+                continue;
+            }
+            Piece& last = merged.back();
+            last.span.to = std::max(last.span.to, piece.span.to);
+            if (piece.share > last.share) last.part = piece.part, last.share = piece.share;
+        }
+        for (const Piece& piece : merged)
+            lines[piece.part].push_back({{piece.span.from, row.y}, {piece.span.to, row.y}});
+    };
+    if (rows_shared) {
+        for (const Row& row : rows_of(whole.low.y, whole.high.y, options.spacing)) rake(row, 0, parts.size());
+    } else {
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            for (const Row& row : rows_of(boxes[k].low.y, boxes[k].high.y, options.spacing))
+                rake(row, k, k + 1);
     }
+    std::erase_if(lines, [](const auto& of_part) { return of_part.empty(); });
     return lines;
 }
 
@@ -120,8 +160,9 @@ Split split(const Regions& target, const Options& options) {
     return result;
 }
 
-/// Fewest lines; of equals the fewest parts, then the first.
-double best_direction(const Region& region, const Regions& target, const Options& options) {
+/// The least raked length, a turn counted as turn_cost; of equals the first.
+double best_direction(const Region& region, const Regions& target, const Regions& room,
+                      const Options& options) {
     const Regions plain = simplified({region}, options.width / 4);
     std::vector<std::pair<double, double>> edges;  // -length, direction
     for (const Region& part : plain.empty() ? Regions{region} : plain)
@@ -145,14 +186,15 @@ double best_direction(const Region& region, const Regions& target, const Options
     add(0);
     add(pi / 2);
     double best = 0, least = std::numeric_limits<double>::infinity();
+    const Regions plain_target = simplified(target, options.width / 50);
     for (double direction : candidates) {
-        double lines = 0;
-        for (const Region& part : turned(target, -direction))
-            for (const Polygon& cell : monotone_parts(part, 0)) {
-                const Box box = bounds(cell);
-                lines += std::max(1.0, std::ceil(box.height() / options.spacing - line_slack)) + 0.5;
-            }
-        if (lines < least - 1e-9) least = lines, best = direction;
+        std::vector<Polygon> parts;
+        for (const Region& part : turned(plain_target, -direction))
+            for (Polygon& cell : monotone_parts(part, 0)) parts.push_back(std::move(cell));
+        double cost = 0;
+        for (const auto& lines : lines_of(parts, turned(room, -direction), true, options))
+            for (const Polyline& line : lines) cost += length(line) + turn_cost * options.width;
+        if (cost < least - 1e-9) least = cost, best = direction;
     }
     return best;
 }
@@ -202,7 +244,7 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
     // With a border the lines reach a little into its rings, so that no hairline stays between; without one
     // they serve the whole.
     const Regions target = options.border ? inset(room, 0.495 * w) : inset(room, -w / 2);
-    const double direction = options.direction.value_or(best_direction(region, target, options));
+    const double direction = options.direction.value_or(best_direction(region, target, room, options));
     const Regions level_room = turned(room, -direction);
     const Regions floor = inset(level_room, -0.01 * w);
 
@@ -224,9 +266,9 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
         if (cells.replaced)
             account.warnings.push_back(
                 {place, fmt::format("{}: the monotone partition is used", *cells.replaced)});
-        for (const Polygon& part : cells.parts)
-            if (std::vector<Polyline> lines = lines_of(part, level_room, options); !lines.empty())
-                parts.push_back(std::move(lines));
+        // Parts that keep a distance from each other cannot share rows: there is sand between them that no
+        // row is for.
+        parts = lines_of(cells.parts, level_room, options.part_inset <= 0, options);
     }
 
     std::vector<Pass> passes;
@@ -252,12 +294,9 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
 
     if (options.border) {
         std::vector<Ring> holes, outers;
-        const auto ring_of = [](const Polygon& line) {
-            return Ring{line, 0, true, perimeter(line), bounds(line)};
-        };
         for (const Region& part : simplified(room, std::min(options.tolerance, w / 200))) {
-            outers.push_back(ring_of(part.outer));
-            for (const Polygon& hole : part.holes) holes.push_back(ring_of(hole));
+            outers.push_back(ring_of(part.outer, 0, true));
+            for (const Polygon& hole : part.holes) holes.push_back(ring_of(hole, 0, true));
         }
         for (std::vector<Ring>* rings : {&holes, &outers})
             while (!rings->empty()) {
