@@ -36,7 +36,7 @@ std::vector<Node> nodes_of(const std::vector<Curve>& rake_path, double step) {
         Pose at = curve.start;
         at.heading = nodes.empty() ? at.heading : heading_before + wrap_angle(at.heading - heading_before);
         for (const Clothoid& piece : curve.pieces) {
-            if (piece.length <= 0) continue;
+            if (piece.length <= rounding) continue;
             const double steps = std::max(1.0, std::ceil(piece.length / step - 1e-9));
             const double h = piece.length / steps;
             for (double i = 0; i <= steps; ++i) {
