@@ -16,9 +16,10 @@ enum class Partition { none, monotone, optimal_convex };
 
 struct Options {
     Style style = Style::spiral;
-    double width = 0.42;              ///< rake width, metres
-    double spacing = 0.40;            ///< metres between neighbouring passes, 0 < spacing <= width
-    std::optional<double> direction;  ///< zigzag lines, radians; absent: the direction with the least passes
+    double width = 0.42;    ///< rake width, metres
+    double spacing = 0.40;  ///< metres between neighbouring passes, 0 < spacing <= width
+    std::optional<double> direction =
+        {};  ///< zigzag lines, radians; absent: the direction with the least passes
     Partition partition = Partition::monotone;
     double part_inset = 0;     ///< metres: each part of a partition shrinks by this (zigzag)
     double min_area = 0.01;    ///< m^2: smaller parts are dropped and counted

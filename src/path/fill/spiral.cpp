@@ -9,6 +9,7 @@ namespace {
 
 constexpr double before_closure = 0.5;        // of the width: where the step leaves a ring
 constexpr double last_before_closure = 0.25;  // of the width: the border ring closes but for its round wedge
+constexpr double most_left = 0.1;             // of a ring: small ones are closed further
 constexpr double longest_step = 1.5;          // of the spacing, raked, within a nesting branch
 constexpr double near_next = 1.06;   // of the spacing: where a ring counts as running beside the next
 constexpr double bend_weight = 0.5;  // a seam in a bend leaves gaps: its lost arc length counts half
@@ -57,7 +58,7 @@ void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, const
                 const Point mine = at(ring, start + 1e-3 * w) - at(ring, start);
                 if (dot(motion, mine) < 0) seam.span = -seam.span;
             }
-            const double span = std::max(ring.length * 0.5, ring.length - left * w);
+            const double span = ring.length - std::min(left * w, most_left * ring.length);
             seam.span = std::copysign(span, seam.span);
             if (const Ring* next =
                     last ? onward : &rings[chain.rings[i + 1]]) {  // where the ring would end far from the

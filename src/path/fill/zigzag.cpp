@@ -13,6 +13,8 @@ namespace {
 constexpr int most_directions = 12;     // of the longest edges, beside level and upright
 constexpr double line_slack = 0.01;     // of the spacing: a part that is higher by less gets no further line
 constexpr double shortest_line = 0.05;  // of the width: shorter ones are left to the border
+constexpr double bar_slack = 1e-3;      // of half the width: a bar flush with an edge is inside
+constexpr double missing_cost = 3;      // metres raked that a metre not raked counts for
 constexpr double turn_cost = 0.5;       // of the width, against metres raked: fewer and longer lines
 
 Regions turned(Regions regions, double angle) {
@@ -28,12 +30,17 @@ Regions turned(Regions regions, double angle) {
 struct Row {
     double y, low, high;  // the line's height and the band it answers for
 };
-std::vector<Row> rows_of(double low, double high, double spacing) {
-    const int n = std::max(1, static_cast<int>(std::ceil((high - low) / spacing - line_slack)));
+/// As few rows as keep the spacing, the first and last flush with the ends: none rakes beyond what is asked
+/// for.
+std::vector<Row> rows_of(double low, double high, const Options& options) {
+    const double between_ends = high - low - options.width;
+    if (between_ends <= 0) return {{(low + high) / 2, low, high}};
+    const int steps = std::max(1, static_cast<int>(std::ceil(between_ends / options.spacing - line_slack)));
+    const double step = between_ends / steps;
     std::vector<Row> rows;
-    for (int i = 0; i < n; ++i) {
-        const double a = low + (high - low) * i / n, b = low + (high - low) * (i + 1) / n;
-        rows.push_back({(a + b) / 2, a, b});
+    for (int i = 0; i <= steps; ++i) {
+        const double y = low + options.width / 2 + i * step;
+        rows.push_back({y, i == 0 ? low : y - step / 2, i == steps ? high : y + step / 2});
     }
     return rows;
 }
@@ -60,6 +67,38 @@ std::vector<Interval> met(const Regions& regions, double y) {
     return intervals;
 }
 
+/// Where the rake's whole bar, upright at height y, lies inside the regions. O(corners log corners).
+std::vector<Interval> fits(const Regions& regions, double y, double width) {
+    const double half = width / 2 * (1 - bar_slack);
+    std::vector<Interval> blocked;
+    const auto ring = [&](const Polygon& polygon) {
+        for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+            Point a = polygon[j], b = polygon[i];
+            if (a.y > b.y) std::swap(a, b);
+            if (b.y <= y - half || a.y >= y + half) continue;
+            const auto at = [&](double height) { return a.x + (height - a.y) / (b.y - a.y) * (b.x - a.x); };
+            const double from = a.y < y - half ? at(y - half) : a.x, to = b.y > y + half ? at(y + half) : b.x;
+            blocked.push_back({std::min(from, to), std::max(from, to)});
+        }
+    };
+    for (const Region& region : regions) {
+        ring(region.outer);
+        for (const Polygon& hole : region.holes) ring(hole);
+    }
+    std::ranges::sort(blocked, {}, &Interval::from);
+    std::vector<Interval> free;
+    for (Interval open : met(regions, y)) {
+        for (const Interval& wall : blocked) {
+            if (wall.to <= open.from) continue;
+            if (wall.from >= open.to) break;
+            if (wall.from > open.from) free.push_back({open.from, wall.from});
+            open.from = std::max(open.from, wall.to);
+        }
+        if (open.to > open.from) free.push_back(open);
+    }
+    return free;
+}
+
 /// What of the band a part reaches, left to right.
 Interval reach(const Polygon& part, const Row& row) {
     Interval whole{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -75,7 +114,7 @@ Interval reach(const Polygon& part, const Row& row) {
 
 /// The lines of each part, bottom up, each left to right. All parts share one set of rows: where two parts
 /// need the same row, their pieces become one line, which goes to the part that needs more of it.
-std::vector<std::vector<Polyline>> lines_of(const std::vector<Polygon>& parts, const Regions& room,
+std::vector<std::vector<Polyline>> lines_of(const std::vector<Polygon>& parts, const Regions& inside,
                                             bool rows_shared, const Options& options) {
     struct Piece {
         Interval span;
@@ -93,7 +132,7 @@ std::vector<std::vector<Polyline>> lines_of(const std::vector<Polygon>& parts, c
             if (std::min(boxes[k].high.y, row.high) - std::max(boxes[k].low.y, row.low) <=
                 line_slack * options.spacing)
                 continue;
-            if (open.empty()) open = met(room, row.y);
+            if (open.empty()) open = fits(inside, row.y, options.width);
             const Interval wish = reach(parts[k], row);
             Interval best{0, 0};
             for (const Interval& free : open) {
@@ -119,11 +158,10 @@ std::vector<std::vector<Polyline>> lines_of(const std::vector<Polygon>& parts, c
             lines[piece.part].push_back({{piece.span.from, row.y}, {piece.span.to, row.y}});
     };
     if (rows_shared) {
-        for (const Row& row : rows_of(whole.low.y, whole.high.y, options.spacing)) rake(row, 0, parts.size());
+        for (const Row& row : rows_of(whole.low.y, whole.high.y, options)) rake(row, 0, parts.size());
     } else {
         for (std::size_t k = 0; k < parts.size(); ++k)
-            for (const Row& row : rows_of(boxes[k].low.y, boxes[k].high.y, options.spacing))
-                rake(row, k, k + 1);
+            for (const Row& row : rows_of(boxes[k].low.y, boxes[k].high.y, options)) rake(row, k, k + 1);
     }
     std::erase_if(lines, [](const auto& of_part) { return of_part.empty(); });
     return lines;
@@ -160,9 +198,8 @@ Split split(const Regions& target, const Options& options) {
     return result;
 }
 
-/// The least raked length, a turn counted as turn_cost; of equals the first.
-double best_direction(const Region& region, const Regions& target, const Regions& room,
-                      const Options& options) {
+/// The least raked length, with turns and what the lines leave bare counted in; of equals the first.
+double best_direction(const Region& region, const Regions& target, const Options& options) {
     const Regions plain = simplified({region}, options.width / 4);
     std::vector<std::pair<double, double>> edges;  // -length, direction
     for (const Region& part : plain.empty() ? Regions{region} : plain)
@@ -191,9 +228,11 @@ double best_direction(const Region& region, const Regions& target, const Regions
         std::vector<Polygon> parts;
         for (const Region& part : turned(plain_target, -direction))
             for (Polygon& cell : monotone_parts(part, 0)) parts.push_back(std::move(cell));
-        double cost = 0;
-        for (const auto& lines : lines_of(parts, turned(room, -direction), true, options))
-            for (const Polyline& line : lines) cost += length(line) + turn_cost * options.width;
+        double raked = 0, turns = 0;
+        for (const auto& lines : lines_of(parts, turned({region}, -direction), true, options))
+            for (const Polyline& line : lines) raked += length(line), turns += turn_cost * options.width;
+        const double missing = std::max(0.0, area(plain_target) / options.width - raked);
+        const double cost = raked + turns + missing_cost * missing;
         if (cost < least - 1e-9) least = cost, best = direction;
     }
     return best;
@@ -243,19 +282,18 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
     if (room.empty()) return {};
     // With a border the lines reach a little into its rings, so that no hairline stays between; without one
     // they serve the whole.
-    const Regions target = options.border ? inset(room, 0.495 * w) : inset(room, -w / 2);
-    const double direction = options.direction.value_or(best_direction(region, target, room, options));
-    const Regions level_room = turned(room, -direction);
-    const Regions floor = inset(level_room, -0.01 * w);
+    const Regions target = options.border ? inset(room, 0.495 * w) : Regions{region};
+    const double direction = options.direction.value_or(best_direction(region, target, options));
+    const Regions level = turned({region}, -direction), floor = inset(turned(room, -direction), -0.01 * w);
 
     std::vector<std::vector<Polyline>> parts;
     if (options.partition == Partition::none) {
         for (const Region& part : turned(target, -direction)) {
             std::vector<Polyline> lines;
             const Box box = bounds(part);
-            for (const Row& row : rows_of(box.low.y, box.high.y, options.spacing))
+            for (const Row& row : rows_of(box.low.y, box.high.y, options))
                 for (const Interval& piece : met({part}, row.y))
-                    for (const Interval& free : met(level_room, row.y)) {
+                    for (const Interval& free : fits(level, row.y, w)) {
                         const double from = std::max(piece.from, free.from), to = std::min(piece.to, free.to);
                         if (to - from > shortest_line * w) lines.push_back({{from, row.y}, {to, row.y}});
                     }
@@ -268,7 +306,7 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
                 {place, fmt::format("{}: the monotone partition is used", *cells.replaced)});
         // Parts that keep a distance from each other cannot share rows: there is sand between them that no
         // row is for.
-        parts = lines_of(cells.parts, level_room, options.part_inset <= 0, options);
+        parts = lines_of(cells.parts, level, options.part_inset <= 0, options);
     }
 
     std::vector<Pass> passes;
