@@ -15,6 +15,7 @@ constexpr double gap_opening =
 constexpr double core_share =
     0.1;  // of width^2: a smaller gap in the middle of the innermost ring is not worth a pass
 constexpr double ridge_share = 0.6;    // of width^2: nor is one between rings; a 36 degree corner leaves 0.46
+constexpr double beside_gap = 0.6;     // half a width and a little: where a ring rakes beside a gap
 constexpr double widest_spine = 1.15;  // one pass serves a gap that is nowhere wider than that
 constexpr double spine_thinning = 0.03;  // the middle line of a jagged gap is not jagged
 constexpr int most_levels = 4000;
@@ -49,11 +50,23 @@ Polygon middle_ring(const Region& gap) {
 void add_spines(const Regions& gaps, const Regions& next, int level, const Options& options,
                 std::vector<Ring>& rings) {
     const double w = options.width;
+    std::vector<Ring> beside;
+    for (const Region& region : next) {
+        beside.push_back(ring_of(region.outer, level, true));
+        for (const Polygon& hole : region.holes) beside.push_back(ring_of(hole, level, true));
+    }
     for (const Region& gap : inset(gaps, gap_opening * w)) {
         const Regions whole = inset({gap}, -gap_opening * w);
+        if (area(whole) < core_share * w * w) continue;
         // In the middle of an innermost ring nothing else comes near; elsewhere the next rings lie beside the
         // gap.
-        const bool core = intersected(inset(whole, -0.6 * w), next).empty();
+        const bool core = std::ranges::none_of(beside, [&](const Ring& ring) {
+            return overlaps(grown(ring.box, beside_gap * w), bounds(whole)) &&
+                   std::ranges::any_of(whole[0].outer, [&](Point p) {
+                       return contains(grown(ring.box, beside_gap * w), p) &&
+                              nearest(ring, p).distance < beside_gap * w;
+                   });
+        });
         if (area(whole) < (core ? core_share : ridge_share) * w * w) continue;
         for (const Region& part : whole) {
             if (part.holes.size() == 1) {
@@ -100,13 +113,18 @@ Foot nearest(const Ring& ring, Point p) {
     Foot best;
     const std::size_t n = ring.line.size();
     if (n == 1) return {0, ring.line[0], distance(p, ring.line[0])};
-    double least = std::numeric_limits<double>::infinity();  // squared
+    double least = std::numeric_limits<double>::infinity();  // squared; the loop is the room's hottest
+    std::size_t hit = 0;
     for (std::size_t i = 0; i + (ring.closed ? 0 : 1) < n; ++i) {
-        const Point a = ring.line[i], b = ring.line[i + 1 < n ? i + 1 : 0];
-        const Point foot = nearest_on_segment(p, a, b);
-        if (const double d = dot(p - foot, p - foot); d < least)
-            least = d, best = {ring.arcs[i] + distance(a, foot), foot, std::sqrt(d)};
+        const Point a = ring.line[i], u = ring.line[i + 1 < n ? i + 1 : 0] - a, v = p - a;
+        const double uu = dot(u, u), t = uu > 0 ? std::clamp(dot(v, u) / uu, 0.0, 1.0) : 0;
+        const Point d = v - t * u;
+        if (const double dd = dot(d, d); dd < least) least = dd, hit = i;
     }
+    const Point a = ring.line[hit];
+    best.at = nearest_on_segment(p, a, ring.line[hit + 1 < n ? hit + 1 : 0]);
+    best.s = ring.arcs[hit] + distance(a, best.at);
+    best.distance = std::sqrt(least);
     return best;
 }
 

@@ -13,7 +13,7 @@ constexpr double most_left = 0.1;             // of a ring: small ones are close
 constexpr double longest_step = 1.5;          // of the spacing, raked, within a nesting branch
 constexpr double near_next = 1.06;   // of the spacing: where a ring counts as running beside the next
 constexpr double bend_weight = 0.5;  // a seam in a bend leaves gaps: its lost arc length counts half
-constexpr int seams = 24;            // places tried for the innermost ring's start
+constexpr int seams = 16;            // places tried for the innermost ring's start
 
 /// How a ring is gone through. `shift`: rake-up arc along it to the start, from where the step from the last
 /// ring meets it.
@@ -39,7 +39,7 @@ double beside_next(const Ring& ring, double s, const Ring& next, double limit, d
 /// Carries a start on the innermost ring through the chain; the cost counts rake-up metres and seams in
 /// bends.
 void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, const Ring* onward,
-               const Options& options) {
+               const Options& options, double enough = std::numeric_limits<double>::infinity()) {
     const double w = options.width;
     chain.seams.clear();
     chain.cost = 0;
@@ -78,7 +78,7 @@ void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, const
             seam = {0, ring.length, 0};
         }
         chain.seams.push_back(seam);
-        if (last) break;
+        if (last || chain.cost > enough) break;
         const Foot foot = nearest(rings[chain.rings[i + 1]], at(ring, seam.start + seam.span));
         chain.cost += std::max(0.0, foot.distance - near_next * options.spacing);
         start = foot.s;
@@ -162,7 +162,7 @@ std::vector<Pass> spiral_passes(const Region& region, const std::string& place, 
         double best = std::numeric_limits<double>::infinity(), best_start = 0;
         for (int k = 0; k < seams; ++k) {
             const double start = innermost.length * (k + 0.5) / seams;
-            lay_seams(chain, rings, start, onward, options);
+            lay_seams(chain, rings, start, onward, options, best);
             if (chain.cost < best - 1e-9 * options.width) best = chain.cost, best_start = start;
         }
         lay_seams(chain, rings, best_start, onward, options);
