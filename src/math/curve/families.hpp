@@ -7,6 +7,9 @@
 
 namespace strandline::turns {
 
+/// Positions are met to this share of (1 + distance) when a root counts as found.
+constexpr double root_accuracy = 1e-12;
+
 /// What is asked for, in the start's frame and in radii.
 struct Task {
     Task(Pose to_pose, double k0, double k1, double sharpness)
