@@ -20,18 +20,6 @@ constexpr double widest_spine = 1.15;  // one pass serves a gap that is nowhere 
 constexpr double spine_thinning = 0.03;  // the middle line of a jagged gap is not jagged
 constexpr int most_levels = 4000;
 
-/// Rounds outer corners to the radius; keeps a part as it is when rounding would take a third of it.
-Regions softened(const Regions& regions, double radius) {
-    if (radius <= 0) return regions;
-    Regions soft;
-    for (const Region& region : regions) {
-        Regions open = inset(inset({region}, radius), -radius);
-        if (area(open) < area(region) * 2 / 3) open = {region};
-        soft.insert(soft.end(), open.begin(), open.end());
-    }
-    return soft;
-}
-
 /// The one ring in the middle of a ring-shaped gap.
 Polygon middle_ring(const Region& gap) {
     double low = 0, high = std::max(bounds(gap).width(), bounds(gap).height());
@@ -167,8 +155,7 @@ std::vector<Ring> rings_of(const Regions& room, const Options& options) {
     Regions here = simplified(room, thinning);
     if (here.empty()) here = room;
     for (int level = 0; level < most_levels && !here.empty(); ++level) {
-        const Regions soft = softened(here, options.turn_radius);
-        for (const Region& region : soft) {
+        for (const Region& region : here) {
             rings.push_back(ring_of(region.outer, level, true));
             for (const Polygon& hole : region.holes) rings.push_back(ring_of(hole, level, true));
         }
