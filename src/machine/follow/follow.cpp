@@ -55,7 +55,7 @@ struct Stretch {
     std::vector<Carried> parts;
     double heading_error = 0;  ///< of a robot that takes its curvature as linear between the parts (rad)
 };
-Stretch stretch_back(double delta, double offset, const Node& here, double count) {
+Stretch stretch_back(double delta, double offset, const RakeNode& here, double count) {
     Stretch stretch;
     const double h = here.step / count, slope = (here.next_curvature - here.curvature) / here.step;
     for (double i = count; i-- > 0;) {
@@ -71,7 +71,7 @@ Stretch stretch_back(double delta, double offset, const Node& here, double count
 }
 
 /// The step in as few parts as keep the heading error small: it falls with the square of their number.
-Stretch fine_stretch_back(double delta, double offset, const Node& here) {
+Stretch fine_stretch_back(double delta, double offset, const RakeNode& here) {
     Stretch stretch = stretch_back(delta, offset, here, 1);
     const double allowed = heading_drift * here.step;
     if (here.step > offset || stretch.heading_error <= allowed) return stretch;
@@ -87,7 +87,7 @@ bool same_state(const RobotState& a, const RobotState& b) {
 /// The pass: from the end to the start. `s` of a state is, until the path is turned about, the robot's length
 /// from it to the end.
 struct Pass {
-    const std::vector<Node>& nodes;
+    const std::vector<RakeNode>& nodes;
     const Robot& robot;
     const FollowOptions& options;
     double delta;
@@ -102,7 +102,7 @@ struct Pass {
         result.max_delta = std::max(result.max_delta, std::abs(delta));
     }
     /// Where the rake is lost, if it is.
-    std::optional<double> over_corner(const Node& before, const Node& after) {
+    std::optional<double> over_corner(const RakeNode& before, const RakeNode& after) {
         const double next = delta + after.rake.heading - before.rake.heading;
         if (std::abs(next) > options.max_delta) return before.s;
         if (std::abs(next - delta) < rounding) return std::nullopt;
@@ -110,7 +110,7 @@ struct Pass {
         arrive(before.s, before.rake);
         return std::nullopt;
     }
-    std::optional<double> back_over(const Node& here) {
+    std::optional<double> back_over(const RakeNode& here) {
         const Stretch stretch = fine_stretch_back(delta, robot.rake_offset, here);
         double left = static_cast<double>(stretch.parts.size());
         const double h = here.step / left;
@@ -127,14 +127,14 @@ struct Pass {
     /// Off the path from there until the robot has got the rake back on it; i: the step it is lost in, then
     /// the one it is back in, driven to its start. Where the rake is lost again.
     std::optional<double> go_astray(std::size_t& i, double lost) {
-        const Return back = stray(nodes, i, lost, robot, options, result, to_end);
+        const WayBack back = stray(nodes, i, lost, robot, options, result, to_end);
         i = back.step;
         if (!back.rejoined) return std::nullopt;
         const Pose rake = rake_at(nodes[i], back.s - nodes[i].s);
         const double heading = result.path.back().pose.heading;
         delta = wrap_angle(heading - rake.heading);
         turns = heading - rake.heading - delta;
-        Node part = nodes[i];
+        RakeNode part = nodes[i];
         part.step = back.s - part.s;
         part.next_curvature = curvature_at(nodes[i], part.step);
         return part.step > rounding ? back_over(part) : std::nullopt;
@@ -149,9 +149,9 @@ struct Pass {
 };
 
 /// The rake is at the turning point: its path is the robot's.
-Followed path_itself(const std::vector<Node>& nodes) {
+Followed path_itself(const std::vector<RakeNode>& nodes) {
     Followed result;
-    for (const Node& node : nodes) {
+    for (const RakeNode& node : nodes) {
         const RobotState state{node.s, node.rake, node.curvature};
         if (!result.path.empty() && same_state(result.path.back(), state)) continue;
         result.path.push_back(state);
@@ -172,7 +172,7 @@ double steady_delta(const Robot& robot, double rake_curvature, double most) {
 
 Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot,
                         const FollowOptions& options) {
-    const std::vector<Node> nodes = nodes_of(rake_path, options.step);
+    const std::vector<RakeNode> nodes = nodes_of(rake_path, options.step);
     const double offset = robot.rake_offset;
     if (nodes.empty()) return {};
     if (offset == 0) return path_itself(nodes);

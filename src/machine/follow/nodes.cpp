@@ -5,8 +5,8 @@
 
 namespace strandline {
 
-std::vector<Node> nodes_of(const std::vector<Curve>& rake_path, double step) {
-    std::vector<Node> nodes;
+std::vector<RakeNode> nodes_of(const std::vector<Curve>& rake_path, double step) {
+    std::vector<RakeNode> nodes;
     double s = 0, heading_before = 0;
     for (const Curve& curve : rake_path) {
         Pose at = curve.start;
@@ -29,12 +29,12 @@ std::vector<Node> nodes_of(const std::vector<Curve>& rake_path, double step) {
     return nodes;
 }
 
-double curvature_at(const Node& node, double local) {
+double curvature_at(const RakeNode& node, double local) {
     return node.step > 0 ? node.curvature + (node.next_curvature - node.curvature) * local / node.step
                          : node.curvature;
 }
 
-Pose rake_at(const Node& node, double local) {
+Pose rake_at(const RakeNode& node, double local) {
     if (node.step <= 0) return node.rake;
     return advanced(node.rake,
                     {node.step, node.curvature, (node.next_curvature - node.curvature) / node.step}, local);

@@ -9,20 +9,20 @@ namespace strandline {
 inline constexpr double rounding = 1e-9;
 
 /// A place on the rake path, both sides of a corner apart.
-struct Node {
+struct RakeNode {  // not Node: that is a stroke's
     double s = 0;
     Pose rake;             ///< heading unwrapped along the path
     double curvature = 0;  ///< of the rake path, just after the node; the last node of a piece: just before
     double step = 0;       ///< to the next node; 0: a joint or a corner, the next node is at the same place
     double next_curvature = 0;  ///< at the far end of the step
 };
-std::vector<Node> nodes_of(const std::vector<Curve>& rake_path, double step);
+std::vector<RakeNode> nodes_of(const std::vector<Curve>& rake_path, double step);
 /// Along a node's step, 0 <= local <= step.
-Pose rake_at(const Node& node, double local);
-double curvature_at(const Node& node, double local);
+Pose rake_at(const RakeNode& node, double local);
+double curvature_at(const RakeNode& node, double local);
 
 /// Where the way back met the rake path.
-struct Return {
+struct WayBack {
     std::size_t step = 0;  ///< index of the node in whose step it is
     double s = 0;
     bool rejoined = false;  ///< false: the path's start came first
@@ -30,7 +30,7 @@ struct Return {
 /// From the last state of `result` (the rake on its path at arc length s, in the step of node `step`)
 /// backward, until the rake is on its path again. States, rake_s, the span and the largest error go to
 /// `result`; to_end grows by what the robot drives.
-Return stray(const std::vector<Node>& nodes, std::size_t step, double s, const Robot& robot,
-             const FollowOptions& options, Followed& result, double& to_end);
+WayBack stray(const std::vector<RakeNode>& nodes, std::size_t step, double s, const Robot& robot,
+              const FollowOptions& options, Followed& result, double& to_end);
 
 }  // namespace strandline

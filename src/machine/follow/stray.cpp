@@ -35,7 +35,7 @@ struct Sight {
 };
 
 /// steered: delta until now.
-Sight look(const Node& node, double s, const Robot& robot, const Pose& pose, double max_delta,
+Sight look(const RakeNode& node, double s, const Robot& robot, const Pose& pose, double max_delta,
            double steered) {
     const Pose place = rake_at(node, s - node.s);
     const double reach = reach_share * robot.rake_offset;
@@ -53,8 +53,8 @@ Sight look(const Node& node, double s, const Robot& robot, const Pose& pose, dou
 
 }  // namespace
 
-Return stray(const std::vector<Node>& nodes, std::size_t step, double s, const Robot& robot,
-             const FollowOptions& options, Followed& result, double& to_end) {
+WayBack stray(const std::vector<RakeNode>& nodes, std::size_t step, double s, const Robot& robot,
+              const FollowOptions& options, Followed& result, double& to_end) {
     const double offset = robot.rake_offset, h = std::min(options.step, step_share * offset);
     const auto place_before = [&](std::size_t& i, double& at, double back) {
         at = std::max(0.0, at - back);
@@ -72,7 +72,7 @@ Return stray(const std::vector<Node>& nodes, std::size_t step, double s, const R
     Sight sight = look(nodes[step], s, robot, pose, options.max_delta, before_straying);
     double delta = sight.delta;
     arrive(pose, delta);  // the steering may jump here
-    Return back{};
+    WayBack back{};
     while (s > 0) {
         // Heun: steered as the place before will want it
         double wanted = sight.delta, dz = 0;
