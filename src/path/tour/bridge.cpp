@@ -6,7 +6,7 @@ namespace strandline::tour {
 namespace {
 
 /// Pieces in a run at most: long enough to leave the basin, short enough that the repair stays local.
-constexpr int longest_run = 30;
+constexpr int longest_run = 10;
 
 }  // namespace
 

@@ -4,7 +4,9 @@ namespace strandline::tour {
 namespace {
 
 /// How many candidates are tried at each depth: wide where it is cheap, narrow where branches multiply.
-constexpr int breadth[most_links] = {0, 10, 6, 4, 3};
+constexpr int breadth[most_links] = {0, 5, 3, 2, 1};
+/// The most of them.
+constexpr int widest = 5;
 
 }  // namespace
 
@@ -21,20 +23,31 @@ double Exchange::deeper(Search& search, int k, double gain) {
     const int last = t_[2 * k - 1];
     const Candidates& near = search.candidates;
     const int end = near.first[static_cast<std::size_t>(last + 1)];
-    int tried = 0;
-    for (int c = near.first[static_cast<std::size_t>(last)]; c < end && tried < breadth[k]; ++c) {
+    struct Try {
+        int node, mate;
+        double open;
+    };
+    Try tries[widest];
+    int count = 0;
+    for (int c = near.first[static_cast<std::size_t>(last)]; c < end; ++c) {
         const auto [node, least] = near.all[static_cast<std::size_t>(c)];
         if (gain - static_cast<double>(least) <= tolerance) break;   // the lists are sorted
         const double left = gain - tour.gap(last, node);
         if (left <= tolerance) continue;
-        const int mate = tour.mate(node);
         bool taken = false;
-        for (int i = 0; i < 2 * k; i += 2) taken = taken || t_[i] == node || t_[i + 1] == node;
+        for (int i = 0; i < 2 * k; ++i) taken = taken || t_[i] == node;
         if (taken) continue;
-        ++tried;
+        const int mate = tour.mate(node);
+        const double open = left + tour.gap(node, mate);
+        if (count == breadth[k] && tries[count - 1].open >= open) continue;
+        int place = count < breadth[k] ? count++ : count - 1;
+        for (; place > 0 && tries[place - 1].open < open; --place) tries[place] = tries[place - 1];
+        tries[place] = {node, mate, open};
+    }
+    for (int i = 0; i < count; ++i) {
+        const auto [node, mate, open] = tries[i];
         t_[2 * k] = node;
         t_[2 * k + 1] = mate;
-        const double open = left + tour.gap(node, mate);
         const double closed = open - tour.gap(mate, t_[0]);
         if (closed > tolerance && tour.closes(t_, k + 1)) {
             k_ = k + 1;

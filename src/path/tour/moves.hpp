@@ -61,6 +61,8 @@ class Revertex {
 /// All vertices of runs of polygons at once: the shortest path through their vertices in the given order. Returns the gain.
 /// O(sum of V_i V_(i+1)).
 double choose_all_vertices(Search& search);
+/// The same for one polygon and its nearest companions in the order.
+double choose_vertices_around(Search& search, int piece);
 
 /// The kick: three neighbouring short runs change places, B C D -> D C B (Martin, Otto, Felten, Complex Systems 5, 1991). No
 /// sequential exchange of few links undoes it. Needs four pieces or more, the gate counted.
@@ -70,6 +72,7 @@ class Bridge {
     /// Picks a place at random; the gain, as a rule below 0.
     double evaluate(Search& search);
     void apply(Search& search) const;
+    const int* nodes() const { return t_; }
 
   private:
     int t_[8] = {};

@@ -6,6 +6,9 @@
 namespace strandline::tour {
 namespace {
 
+/// Polygons on either side that are chosen anew together with one: what lies farther hardly feels it.
+constexpr int reach_around = 4;
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Point vertex(const Model& model, const Piece& piece, int v) { return model.choices[at(piece.first_choice + v)].at; }
@@ -88,6 +91,18 @@ void Revertex::apply(Search& search) const {
     search.tour.choose(piece_, choice_);
     search.touched.push_back(2 * piece_);
     search.touched.push_back(2 * piece_ + 1);
+}
+
+double choose_vertices_around(Search& search, int piece) {
+    const Sequence& tour = search.tour;
+    const Model& model = tour.model();
+    if (!model.is_polygon(piece)) return 0;
+    const int pieces = tour.nodes() / 2, middle = tour.place_of(2 * piece) / 2;
+    const auto polygon = [&](int k) { return model.is_polygon(tour.node_at(2 * ((k + pieces) % pieces)) / 2); };
+    int before = 0, after = 0;
+    while (before < reach_around && before + 2 < pieces && polygon(middle - before - 1)) ++before;
+    while (after < reach_around && before + after + 2 < pieces && polygon(middle + after + 1)) ++after;
+    return choose_run(search, (2 * (middle - before) + tour.nodes()) % tour.nodes(), before + after + 1);
 }
 
 double choose_all_vertices(Search& search) {

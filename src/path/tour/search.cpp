@@ -13,6 +13,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Owners in a candidate list. Ten rather than eight: clusters and drawings with doubled lines need the room.
 constexpr int candidate_count = 10;
+constexpr std::uint64_t most_default_kicks = 60'000;
 /// Descent steps between two questions whether to stop.
 constexpr int steps_between_polls = 256;
 
@@ -104,8 +105,8 @@ class Descent {
 }  // namespace
 
 std::uint64_t default_kicks(int pieces) {
-    const auto n = static_cast<std::uint64_t>(std::max(pieces, 1));
-    return std::min<std::uint64_t>(40 * n, 100'000);
+    // 50 ms at 100 pieces, a second or two at 1,000, a few seconds beyond.
+    return std::min<std::uint64_t>(25 * static_cast<std::uint64_t>(std::max(pieces, 1)), most_default_kicks);
 }
 
 Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks, const Progress& progress) {
@@ -139,11 +140,11 @@ Searched improve(const Model& model, const std::vector<Visit>& first, std::uint6
             tour.back(0);
             continue;
         }
-        length -= gain;
-        if (gain > model.tolerance && choose_all_vertices(search) > 0) {
-            descent.run();
-            length = tour.length();
+        if (gain > model.tolerance) {
+            for (int i = 0; i < 8; ++i) gain += choose_vertices_around(search, bridge.nodes()[i] / 2);
+            gain += descent.run();
         }
+        length -= gain;
         tour.forget();
     }
     progress.report(fmt::format("rake up {:.6g}", length), 1);
