@@ -1,6 +1,7 @@
 #pragma once
-// What each command of the program takes (filled by main.cpp from the command line) and the function that does it. A command returns
-// its exit code: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but something falls short.
+// What each command of the program takes (filled by main.cpp from the command line) and the function that
+// does it. A command returns its exit code: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done,
+// but something falls short.
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,10 +15,41 @@ struct Common {
     bool quiet = false, verbose = false, json = false;
 };
 
+struct PlanArguments {
+    std::string input, output = "-", robot, config, canvas, place, margin, start;
+    std::vector<std::string> settings;    ///< key=value, also robot.field=value
+    std::vector<std::string> links;       ///< A:V=B:W
+    std::vector<std::string> entries;     ///< A:V
+    std::vector<std::string> directions;  ///< A=forward|backward|ccw|cw
+    bool strict = false, open = false;
+};
+int plan(const PlanArguments& arguments, const Common& common);
+
+struct ExportArguments {
+    std::string input, output = "-", format, path = "rake";
+};
+int export_plan(const ExportArguments& arguments, const Common& common);
+int list_formats(const Common& common);
+
+struct CheckArguments {
+    std::string input;
+};
+int check(const CheckArguments& arguments, const Common& common);
+
+struct RenderArguments {
+    std::string input, output;
+    int pixels = 1200;
+};
+int render(const RenderArguments& arguments, const Common& common);
+
+int list_settings(const Common& common);
+/// Without a name: the built-in names; with one: its profile as TOML.
+int show_robot(const std::string& name, const Common& common);
+
 struct TourArguments {
     std::string input, output = "-";
     unsigned long long moves = 0, seed = 1;
-    std::string time_limit;                  ///< duration text, "" = none
+    std::string time_limit;  ///< duration text, "" = none
 };
 int tour(const TourArguments& arguments, const Common& common);
 

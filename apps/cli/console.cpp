@@ -75,7 +75,8 @@ Progress console_progress(bool quiet) {
             if (percent == shown) return;
             shown = percent;
             const int bars = percent / 5;
-            fmt::print(stderr, "\r\033[K{:<12} [{:#<{}}{:.<{}}] {:3}%", what, "", bars, "", 20 - bars, percent);
+            fmt::print(stderr, "\r\033[K{:<12} [{:#<{}}{:.<{}}] {:3}%", what, "", bars, "", 20 - bars,
+                       percent);
             if (share >= 1) fmt::print(stderr, "\r\033[K");
         };
     }

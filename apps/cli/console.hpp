@@ -9,12 +9,14 @@ namespace strandline::cli {
 
 /// The whole of a file; "-" is stdin.
 Outcome<std::string> read_input(const std::string& path);
-/// Written under a temporary name beside it, then renamed, so that nothing half-written is left; "-" is stdout.
+/// Written under a temporary name beside it, then renamed, so that nothing half-written is left; "-" is
+/// stdout.
 Outcome<void> write_output(const std::string& path, std::string_view bytes);
 /// "strandline: place: reason; remedy" on stderr.
 void complain(const Error& error);
 void warn(const Warnings& warnings, bool quiet);
-/// Draws a progress bar on stderr when that is a terminal; stops on Ctrl-C (first time: the best so far; second time: at once).
+/// Draws a progress bar on stderr when that is a terminal; stops on Ctrl-C (first time: the best so far;
+/// second time: at once).
 Progress console_progress(bool quiet);
 
 }  // namespace strandline::cli

@@ -1,8 +1,165 @@
+// The command line: what can be written, not what is done. Every command fills its arguments and returns its
+// exit code.
 #include <CLI/CLI.hpp>
+#include <functional>
+
+#include "commands.hpp"
+#include "console.hpp"
+
+namespace {
+
+using namespace strandline;
+using namespace strandline::cli;
+
+void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::function<int()>& chosen) {
+    CLI::App* plan = app.add_subcommand("plan", "SVG -> plan: what to draw, in which order, how to drive");
+    plan->add_option("input", a.input, "SVG file, or - for stdin")->required();
+    plan->add_option("-o,--output", a.output, "plan file (JSON), or - for stdout")->capture_default_str();
+    plan->add_option("--robot", a.robot,
+                     "beachbot, plotter, turf, or a profile file (.toml); default beachbot");
+    plan->add_option("--config", a.config, "settings file (.toml)");
+    plan->add_option("--set", a.settings,
+                     "key=value; keys: strandline settings. robot.FIELD=value changes the robot");
+    plan->add_option("--canvas", a.canvas,
+                     "WIDTHxHEIGHT with units (14mx14m, 20x10) or a paper size (A4, A3-landscape)");
+    plan->add_option("--margin", a.margin, "kept free round the drawing (--place fit)");
+    plan->add_option("--place", a.place, "fit | actual | width=10m | scale=1:50");
+    plan->add_option("--start", a.start, "X,Y: begin near this point (metres, origin lower left)");
+    plan->add_option("--link", a.links, "A:V=B:W: drive from node V of element A to node W of element B");
+    plan->add_option("--entry", a.entries, "A:V: enter element A at its node V (-1: its last)");
+    plan->add_option("--direction", a.directions, "A=forward|backward for lines, A=ccw|cw for closed ones");
+    plan->add_flag("--strict", a.strict,
+                   "exit 3 when check finds a fault, or anything was done another way than asked");
+    plan->add_flag("--open", a.open, "write a picture beside the plan and open it");
+    plan->footer(R"(Examples:
+  strandline plan lion.svg -o lion.json
+  strandline plan logo.svg -o logo.json --canvas 20x20 --set fill.style=zigzag --set fill.spacing=40cm
+  strandline plan card.svg --robot plotter --canvas A5 --margin 10mm -o card.json
+  strandline plan eye.svg --link iris:0=lid:-1 --direction lid=backward -o eye.json
+  cat drawing.svg | strandline plan - | strandline check -)");
+    plan->callback([&] { chosen = [&] { return cli::plan(a, common); }; });
+}
+
+void add_results(CLI::App& app, ExportArguments& e, CheckArguments& c, RenderArguments& r,
+                 const Common& common, std::function<int()>& chosen) {
+    CLI::App* exported = app.add_subcommand("export", "plan -> robot text and other formats");
+    exported->add_option("input", e.input, "plan file, or -")->required();
+    exported->add_option("--format", e.format, "see strandline formats")->required();
+    exported
+        ->add_option("-o,--output", e.output,
+                     "file, or - for stdout. beachbot: NAME.txt gives NAME_robot.txt and NAME_rake.txt")
+        ->capture_default_str();
+    exported->add_option("--path", e.path, "rake or robot, for trace")
+        ->check(CLI::IsMember({"rake", "robot"}))
+        ->capture_default_str();
+    exported->footer("Example:\n  strandline export lion.json --format beachbot -o lion.txt");
+    exported->callback([&] { chosen = [&] { return export_plan(e, common); }; });
+    app.add_subcommand("formats", "lists the export formats")->callback([&] {
+        chosen = [&] { return list_formats(common); };
+    });
+
+    CLI::App* check = app.add_subcommand("check", "proves a plan from its file alone");
+    check->add_option("input", c.input, "plan file, or -")->required();
+    check->footer(
+        "Exit 0: sound (blemishes are listed), 3: a law is broken.\nExample:\n  strandline check lion.json "
+        "--json");
+    check->callback([&] { chosen = [&] { return cli::check(c, common); }; });
+
+    CLI::App* render = app.add_subcommand("render", "plan -> picture");
+    render->add_option("input", r.input, "plan file, or -")->required();
+    render->add_option("-o,--output", r.output, "picture.svg or picture.png")->required();
+    render->add_option("--pixels", r.pixels, "longer side of a PNG")
+        ->check(CLI::Range(16, 20000))
+        ->capture_default_str();
+    render->footer("Example:\n  strandline render lion.json -o lion.png --pixels 2000");
+    render->callback([&] { chosen = [&] { return cli::render(r, common); }; });
+}
+
+void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArguments& c, ConvertArguments& v,
+                const Common& common, std::function<int()>& chosen) {
+    const auto in_out = [](CLI::App* command, std::string& input, std::string& output, const char* what) {
+        command->add_option("input", input, what)->required();
+        command->add_option("-o,--output", output, "file, or - for stdout")->capture_default_str();
+    };
+    CLI::App* tour =
+        app.add_subcommand("tour", "one stage alone: order and entries of a tour instance (JSON)");
+    in_out(tour, t.input, t.output, "instance (docs/stage-formats.md), or -");
+    tour->add_option("--moves", t.moves, "budget of the search; 0: from the size")->capture_default_str();
+    tour->add_option("--time-limit", t.time_limit,
+                     "stop after this CPU time (10s); the answer may differ from run to run");
+    tour->add_option("--seed", t.seed, "of the search")->capture_default_str();
+    tour->footer("Example:\n  strandline tour instance.json -o solution.json --time-limit 5s");
+    tour->callback([&] { chosen = [&] { return cli::tour(t, common); }; });
+
+    CLI::App* fill = app.add_subcommand("fill", "one stage alone: the strokes that rake a polygon (JSON)");
+    in_out(fill, f.input, f.output, "polygon (docs/stage-formats.md), or -");
+    fill->add_option("--width", f.width, "rake width; overrides the file's");
+    fill->add_option("--style", f.style, "spiral or zigzag")->capture_default_str();
+    fill->add_option("--spacing", f.spacing, "between neighbouring passes");
+    fill->add_option("--vehicle", f.vehicle, "free (turns on the spot), or a robot")->capture_default_str();
+    fill->footer("Example:\n  strandline fill letter.json --width 0.42 --style zigzag -o strokes.json");
+    fill->callback([&] { chosen = [&] { return cli::fill(f, common); }; });
+
+    CLI::App* connect = app.add_subcommand("connect", "one stage alone: curves between poses (JSON lines)");
+    in_out(connect, c.input, c.output, "pairs of poses (docs/stage-formats.md), or -");
+    connect->add_option("--radius", c.radius, "least radius; a pair's own R wins");
+    connect->add_option("--sharpness", c.sharpness, "largest change of curvature, 1/m^2; default 2.5 / R^2");
+    connect->add_option("--style", c.style, "bounded or straight")->capture_default_str();
+    connect->footer("Example:\n  strandline connect pairs.jsonl -o curves.jsonl --radius 0.5m");
+    connect->callback([&] { chosen = [&] { return cli::connect(c, common); }; });
+
+    CLI::App* convert = app.add_subcommand("convert", "one stage alone: rake path -> robot path (CSV)");
+    in_out(convert, v.input, v.output, "CSV with x,y,pins, or -");
+    convert->add_option("--robot", v.robot, "built-in name or profile file")->capture_default_str();
+    convert->footer("Example:\n  strandline convert rake.csv --robot beachbot -o robot.csv");
+    convert->callback([&] { chosen = [&] { return cli::convert(v, common); }; });
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"A drawing becomes one drivable path for a drawing robot"};
+    CLI::App app{"Strandline: a drawing becomes one drivable path for a drawing robot"};
     app.set_version_flag("--version", "strandline " STRANDLINE_VERSION);
-    CLI11_PARSE(app, argc, argv);
-    return 0;
+    app.require_subcommand(1);
+    app.fallthrough();
+    Common common;
+    app.add_flag("-q,--quiet", common.quiet, "only errors");
+    app.add_flag("-v,--verbose", common.verbose, "more");
+    app.add_flag("--json", common.json, "figures as JSON");
+    app.footer(R"(Start here:
+  strandline plan drawing.svg -o plan.json && strandline render plan.json -o plan.png
+Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but something falls short.)");
+
+    std::function<int()> chosen;
+    PlanArguments plan;
+    ExportArguments exported;
+    CheckArguments check;
+    RenderArguments render;
+    TourArguments tour;
+    FillArguments fill;
+    ConnectArguments connect;
+    ConvertArguments convert;
+    std::string robot;
+    add_plan(app, plan, common, chosen);
+    add_results(app, exported, check, render, common, chosen);
+    app.add_subcommand("settings", "lists everything that can be set")->callback([&] {
+        chosen = [&] { return list_settings(common); };
+    });
+    CLI::App* robots =
+        app.add_subcommand("robots", "lists the built-in robots, or prints one as a profile file");
+    robots->add_option("name", robot, "a built-in robot or a profile file");
+    robots->callback([&] { chosen = [&] { return show_robot(robot, common); }; });
+    add_stages(app, tour, fill, connect, convert, common, chosen);
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? done : bad_call;
+    }
+    try {
+        return chosen();
+    } catch (const std::bad_alloc&) {
+        complain({"", "not enough memory for this input", "make it simpler"});
+        return bad_input;
+    }
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Rake path <-> robot path. The rake's centre Q trails the turning point P: Q = P - L e(theta). On a rake path with
 // tangent phi and curvature k, delta = theta - phi obeys d delta / ds = sin(delta)/L - k; the robot's curvature is tan(delta)/L and
-// its arc length grows by 1/cos(delta). Forward that is unstable, backward contracting: one backward pass gives the robot path.
+// its arc length grows by cos(delta) per metre of rake. Forward that is unstable, backward contracting: one backward pass gives the robot path.
 // Exact while |k| < 1/L (see docs/follow.md for the derivation).
 #include <vector>
 
@@ -19,13 +19,14 @@ struct RobotState {
     bool operator==(const RobotState&) const = default;
 };
 /// States in order, s not decreasing. Between two states curvature is taken as linear in s. Two states with the same s
-/// are a jump of curvature (same pose): the robot stops there.
+/// are a jump: of curvature (same pose), so that the robot stops there; of heading too where it turns on the spot. Headings are not
+/// wrapped: neighbours differ by the angle really turned.
 using RobotPath = std::vector<RobotState>;
 
 Point rake_at(const Robot& robot, Pose robot_pose);
 Pose robot_at(const Robot& robot, Point rake, double robot_heading);
 double length(const RobotPath& path);
-/// Interpolated by cubic Hermite in position and heading: error O(step^4). s is clamped.
+/// Interpolated by cubic Hermite in position and heading: error O(step^4). s is clamped. At a jump: the state after it. O(log n).
 RobotState state_at(const RobotPath& path, double s);
 /// A clothoid curve as states, at steps of at most `step`.
 RobotPath states_along(const Curve& curve, double step);
@@ -46,7 +47,13 @@ struct FollowOptions {
 };
 /// The robot path that makes the rake follow smooth curves laid end to end; at corners (heading jumps between curves)
 /// theta is continuous and delta jumps. One backward pass, Runge-Kutta 4, O(length / step). For rake_offset 0: the path itself.
+/// Where delta would pass max_delta it is held there and the span is listed: the robot is then placed so that the rake is on its
+/// path, though it could not have rolled there (at a corner its heading jumps). Steps end on every joint of pieces.
 Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot, const FollowOptions& options = {});
+/// sin(delta) = curvature x rake_offset, where delta comes to rest on an endless arc; limited to |delta| <= most (radians).
+double steady_delta(const Robot& robot, double rake_curvature, double most);
+/// The largest |delta| at which the robot's own curvature is within 1/min_radius: atan(rake_offset / min_radius).
+double connectable_delta(const Robot& robot);
 /// Track of one pin (0 = leftmost looking forward) for a robot path.
 std::vector<Point> pin_track(const Robot& robot, const RobotPath& path, int pin);
 

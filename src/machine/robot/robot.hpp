@@ -41,8 +41,8 @@ struct Robot {
     double turn_acceleration = 0.4;  ///< rad/s^2
     double lift_delay = 0.0;      ///< s from command to pins up or down
     double front = 0.5, back = 0.35, half_width = 0.35;  ///< footprint around P
-    std::vector<Wheel> wheels;
-    std::vector<RakeRule> rake_rules;  ///< ascending up_to; beachbot: 0->0, 1->1, 3->3, 5->5, 8->7 pins (2014)
+    std::vector<Wheel> wheels = {};
+    std::vector<RakeRule> rake_rules = {};  ///< ascending up_to; beachbot: 0->0, 1->1, 3->3, 5->5, 8->7 pins (2014)
     bool fill_wide_strokes = true;     ///< a drawn stroke wider than the rake becomes a region; false: it stays one line (plotters)
     bool operator==(const Robot&) const = default;
 
@@ -61,13 +61,16 @@ Polygon footprint(const Robot& robot);
 
 std::vector<std::string> builtin_robots();                 ///< "beachbot", "plotter", "turf"
 Outcome<Robot> builtin_robot(std::string_view name);       ///< unknown: the Error lists the names
-/// TOML text; `base = "beachbot"` starts from a built-in. `place` names the text in errors ("my.toml"). A wrong field is refused by
+/// TOML text; `base = "plotter"` starts from that built-in, without it from beachbot. `place` names the text in errors ("my.toml"). A wrong field is refused by
 /// name with its unit and range; unknown fields too.
 Outcome<Robot> read_robot(std::string_view toml, const std::string& place);
 std::string write_robot(const Robot& robot);               ///< TOML that reads back equal
+/// The robot itself when every field is in its range and the fields agree with each other; else the Error names field, unit and range.
+Outcome<Robot> valid(Robot robot, const std::string& place);
 /// One number or flag by its field name, e.g. ("min_radius", "0.3"): for --set robot.min_radius=0.3.
 Outcome<Robot> with_field(Robot robot, const std::string& field, const std::string& value);
-/// The name of every scalar field with unit, range and meaning, for docs and --help.
+/// The name of every scalar field with unit, range (inclusive) and meaning, for docs and --help.
+/// unit: "m", "s", ..., "count" for whole numbers, "true/false" for flags.
 struct RobotField {
     std::string name, unit, meaning;
     double low, high;

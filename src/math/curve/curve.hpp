@@ -119,6 +119,9 @@ Curve hermite_clothoid(Pose from, Pose to);
 struct FitOptions {
     double tolerance = 0.002;     ///< metres: largest distance between path and fit
     double corner_angle = 0.02;   ///< radians: heading jumps above this stay corners; smaller ones are smoothed over
+    /// radians: chains of straight lines that turn by no more than this at a vertex are smoothed over as well where the bulge
+    /// stays within the tolerance (drawings that were flattened before). 0: off.
+    double smooth_angle = 0;
 };
 /// The path as smooth curves with corners between them: curves[i] ends where curves[i+1] starts. Lines and circular arcs
 /// come out as one piece each; the rest as G1 clothoid Hermite pieces between points of the path, halved until the

@@ -1,5 +1,6 @@
 #pragma once
-// Robot pose -> robot pose, rake up, with end curvatures: curvature and sharpness bounded, G2. Knows no order.
+// Robot pose -> robot pose, rake up, with end curvatures: curvature and sharpness bounded, G2. Knows no
+// order.
 #include <string>
 #include <vector>
 
@@ -13,15 +14,18 @@ enum class Style { bounded, straight };
 
 struct Options {
     Style style = Style::bounded;
-    CurveLimits limits;
-    bool pivot = false;            ///< may turn on the spot at both ends (always for `straight`)
+    CurveLimits limits{};
+    /// May turn on the spot at both ends: for `straight` always; for `bounded` it serves where an end asks
+    /// for a curvature above the limit.
+    bool pivot = false;
 };
 /// What is driven: pivot by `turn_before`, along the curve, pivot by `turn_after` (radians; 0 for bounded).
 struct Connection {
     double turn_before = 0, turn_after = 0;
     Curve curve;
 };
-/// bounded never fails and never breaks the limits (continuous_curvature). O(1).
+/// bounded never fails and never breaks the limits (continuous_curvature). A limits.radius of 0 means turns
+/// on the spot. Poses at one point: a turn alone. O(1).
 Connection connection(const CurvatureState& from, const CurvatureState& to, const Options& options);
 CurveLimits limits_of(const Robot& robot);
 

@@ -19,12 +19,12 @@ struct Node {
 /// One go of the rake: down at its start, up at its end.
 struct Stroke {
     int element = -1;             ///< index in the drawing
-    std::vector<Curve> rake_path; ///< smooth curves end to end; corners between them
+    std::vector<Curve> rake_path = {}; ///< smooth curves end to end; corners between them
     bool closed = false;          ///< ends where it starts: may be entered at any node
     bool one_way = false;         ///< only in the direction given (fills)
     bool fill = false;            ///< part of a region's fill: corners are rounded inside
     int pins = 1;                 ///< pins down, centred
-    std::vector<Node> nodes;      ///< ascending s; open strokes: both ends at least; closed: the seam not repeated
+    std::vector<Node> nodes = {};      ///< ascending s; open strokes: both ends at least; closed: the seam not repeated
     bool operator==(const Stroke&) const = default;
 };
 double length(const Stroke& stroke);
@@ -43,15 +43,16 @@ struct Entry {
     bool operator==(const Entry&) const = default;
 };
 
-/// The stroke's rake path as driven: begun at the entry's node and turned about when reversed. O(pieces).
+/// The stroke's rake path as driven: a closed stroke begun (and ended) at the node, an open one at its end; turned about when
+/// reversed. O(pieces).
 std::vector<Curve> rake_path_from(const Stroke& stroke, int node, bool reversed);
 
 /// A piece of the robot path with one kind of motion.
 struct Leg {
     Motion motion = Motion::connect;
     int stroke = -1;    ///< stroke drawn or about to be drawn; -1 for connect
-    RobotPath path;     ///< pivot: two states at one place
-    Curve curve;        ///< connect and loop: the exact clothoids; else empty
+    RobotPath path = {}; ///< pivot: two states at one place
+    Curve curve = {};   ///< connect and loop: the exact clothoids; else empty
     bool operator==(const Leg&) const = default;
 };
 

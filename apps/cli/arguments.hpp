@@ -1,0 +1,35 @@
+#pragma once
+// Texts of the command line and settings files -> values.
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "plan/model/model.hpp"
+
+namespace strandline::cli {
+
+/// A built-in robot's name, or a profile file.
+Outcome<Robot> robot_named(const std::string& name);
+
+/// What a plan is made with.
+struct Wishes {
+    std::string robot;                                              ///< name or file; "" : not said
+    std::vector<std::pair<std::string, std::string>> robot_fields;  ///< robot.FIELD=value, in order
+    Options options;
+    std::vector<Edit> edits;
+};
+/// Settings file: tables as in `strandline settings` ([fill] spacing = "40cm"), robot = "NAME", [robot] FIELD
+/// = value, and edits as arrays: link = ["a:0=b:-1"], entry = [...], direction = [...]. Errors name the key
+/// and the line.
+Outcome<void> read_settings_file(Wishes& wishes, const std::string& path);
+Outcome<void> set_from_text(Wishes& wishes, const std::string& key_and_value);
+Outcome<Edit> parse_link(const std::string& text);
+Outcome<Edit> parse_entry(const std::string& text);
+Outcome<Edit> parse_direction(const std::string& text);
+/// "fit", "actual", "width=10m", "scale=1:50".
+Outcome<void> set_place(Options& options, const std::string& text);
+/// "14mx10m", "20x10", "A4".
+Outcome<void> set_canvas(Options& options, const std::string& text);
+Outcome<void> set_start(Options& options, const std::string& text);
+
+}  // namespace strandline::cli

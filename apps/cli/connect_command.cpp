@@ -1,0 +1,96 @@
+// `strandline connect`: curves between pairs of poses, a line a pair.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <map>
+
+#include "base/units/units.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "result/stages/stages.hpp"
+
+namespace strandline::cli {
+namespace {
+
+const std::map<std::string, connect::Style> styles{{"bounded", connect::Style::bounded},
+                                                   {"straight", connect::Style::straight}};
+
+int bad_option(const Error& error) {
+    complain(error);
+    return bad_call;
+}
+
+Outcome<stages::PairDefaults> defaults_of(const ConnectArguments& arguments) {
+    stages::PairDefaults defaults;
+    if (!arguments.radius.empty()) {
+        const auto radius = parse_length(arguments.radius, "--radius");
+        if (!radius) return tl::unexpected(radius.error());
+        if (!(*radius > 0)) return fail("--radius", "is not above 0", "write a length such as 0.5m");
+        defaults.radius = *radius;
+    }
+    if (arguments.sharpness && !(*arguments.sharpness > 0 && std::isfinite(*arguments.sharpness)))
+        return fail("--sharpness", "is not above 0", "write 1/m^2, such as 10");
+    defaults.sharpness = arguments.sharpness;
+    return defaults;
+}
+
+Outcome<std::vector<stages::Pair>> read_pairs(std::string_view text, const std::string& name,
+                                              const stages::PairDefaults& defaults) {
+    std::vector<stages::Pair> pairs;
+    int number = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string_view line = text.substr(at, end - at);
+        at = end + 1;
+        ++number;
+        if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+        auto pair = stages::read_pair(line, number, defaults);
+        if (!pair) {
+            Error error = pair.error();
+            error.place = (name == "-" ? "stdin" : name) + ", " + error.place;
+            return tl::unexpected(error);
+        }
+        pairs.push_back(std::move(*pair));
+    }
+    if (pairs.empty()) return fail(name, "holds no pair", "write a JSON object a line");
+    return pairs;
+}
+
+}  // namespace
+
+int connect(const ConnectArguments& arguments, const Common& common) {
+    const auto style = styles.find(arguments.style);
+    if (style == styles.end()) {
+        std::string names;
+        for (const auto& [name, _] : styles) names += (names.empty() ? "" : ", ") + name;
+        return bad_option(
+            {"--style", fmt::format("\"{}\" is not a style", arguments.style), "choose one of: " + names});
+    }
+    const auto defaults = defaults_of(arguments);
+    if (!defaults) return bad_option(defaults.error());
+    const auto text = read_input(arguments.input);
+    if (!text) return complain(text.error()), bad_input;
+    const auto pairs = read_pairs(*text, arguments.input, *defaults);
+    if (!pairs) return complain(pairs.error()), bad_input;
+
+    std::string out;
+    int blocked = 0;
+    for (const stages::Pair& pair : *pairs) {
+        const connect::Connection connection =
+            connect::connection(pair.from, pair.to, {.style = style->second, .limits = pair.limits});
+        std::optional<std::string> failure;
+        if (stages::hits_obstacles(pair, connection.curve))
+            failure = "the curve comes nearer to an obstacle than the clearance; no way round is sought yet";
+        if (failure) ++blocked;
+        out += stages::write_curve(pair, connection, failure);
+        out += '\n';
+    }
+    if (const auto written = write_output(arguments.output, out); !written)
+        return complain(written.error()), bad_input;
+    if (!common.quiet)
+        fmt::print(stderr, "{} curves{}\n", pairs->size(),
+                   blocked ? fmt::format(", {} of them come too near an obstacle", blocked) : "");
+    return blocked ? falls_short : done;
+}
+
+}  // namespace strandline::cli

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+
+#include "arguments.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "plan/pipeline/pipeline.hpp"
+#include "result/check/check.hpp"
+#include "result/formats/formats.hpp"
+#include "summary.hpp"
+
+namespace strandline::cli {
+namespace {
+
+/// Settings file first, the command line over it.
+Outcome<Wishes> gathered(const PlanArguments& a) {
+    Wishes wishes;
+    if (!a.config.empty())
+        if (auto done = read_settings_file(wishes, a.config); !done) return tl::unexpected(done.error());
+    if (!a.robot.empty()) wishes.robot = a.robot;
+    Outcome<void> done;
+    if (done && !a.canvas.empty()) done = set_canvas(wishes.options, a.canvas);
+    if (done && !a.margin.empty()) done = set(wishes.options, "canvas.margin", a.margin);
+    if (done && !a.place.empty()) done = set_place(wishes.options, a.place);
+    if (done && !a.start.empty()) done = set_start(wishes.options, a.start);
+    for (const std::string& text : a.settings)
+        if (done) done = set_from_text(wishes, text);
+    if (!done) return tl::unexpected(done.error());
+    const auto add_edits = [&](const std::vector<std::string>& texts, auto parse) -> Outcome<void> {
+        for (const std::string& text : texts) {
+            const auto edit = parse(text);
+            if (!edit) return tl::unexpected(edit.error());
+            wishes.edits.push_back(*edit);
+        }
+        return {};
+    };
+    if (done) done = add_edits(a.links, parse_link);
+    if (done) done = add_edits(a.entries, parse_entry);
+    if (done) done = add_edits(a.directions, parse_direction);
+    if (!done) return tl::unexpected(done.error());
+    return wishes;
+}
+
+Outcome<Robot> robot_of(const Wishes& wishes) {
+    auto robot = robot_named(wishes.robot.empty() ? "beachbot" : wishes.robot);
+    for (const auto& [field, value] : wishes.robot_fields)
+        if (robot) robot = with_field(*robot, field, value);
+    return robot;
+}
+
+/// Stops the search when the user or the time limit says so.
+Progress limited(Progress progress, double seconds) {
+    if (seconds <= 0) return progress;
+    const auto asked = progress.stopped;
+    const std::clock_t end = std::clock() + static_cast<std::clock_t>(seconds * CLOCKS_PER_SEC);
+    progress.stopped = [asked, end] { return asked() || std::clock() > end; };
+    return progress;
+}
+
+/// Opens a picture with the desktop's own viewer, without waiting for it to close.
+void open_picture(const std::string& path) {
+    const pid_t child = fork();
+    if (child == 0) {
+        if (fork() == 0) {
+            execlp("xdg-open", "xdg-open", path.c_str(), static_cast<char*>(nullptr));
+            _exit(127);
+        }
+        _exit(0);
+    }
+    if (child > 0) waitpid(child, nullptr, 0);
+}
+
+Outcome<void> show(const Plan& plan, const PlanArguments& arguments) {
+    const std::filesystem::path base = arguments.output == "-" ? "strandline-plan.svg" : arguments.output;
+    const std::string picture = std::filesystem::path(base).replace_extension(".svg").string();
+    if (picture == arguments.input)
+        return fail("--open", "the picture would replace the drawing", "choose another -o");
+    const auto written = write_output(picture, formats::write_svg(plan));
+    if (written) open_picture(picture);
+    return written;
+}
+
+}  // namespace
+
+int plan(const PlanArguments& arguments, const Common& common) {
+    const auto wishes = gathered(arguments);
+    if (!wishes) return complain(wishes.error()), bad_call;
+    const auto robot = robot_of(*wishes);
+    if (!robot) return complain(robot.error()), bad_call;
+    const auto svg = read_input(arguments.input);
+    if (!svg) return complain(svg.error()), bad_input;
+
+    const Progress progress = limited(console_progress(common.quiet), wishes->options.tour.time_limit);
+    const std::string title =
+        arguments.input == "-" ? "stdin" : std::filesystem::path(arguments.input).filename().string();
+    auto made = make_plan({*svg, title}, *robot, wishes->options, wishes->edits, progress);
+    if (!made) {
+        Error error = made.error();
+        error.place = error.place.empty() || error.place == title ? arguments.input
+                                                                  : arguments.input + ", " + error.place;
+        return complain(error), bad_input;
+    }
+    made->program = "strandline " STRANDLINE_VERSION;
+    if (const auto done = write_output(arguments.output, formats::write_plan(*made)); !done)
+        return complain(done.error()), bad_input;
+
+    warn(made->warnings, common.quiet);
+    for (const std::string& idle : made->idle_edits)
+        if (!common.quiet) fmt::print(stderr, "warning: {}\n", idle);
+    const check::Report report = check::prove(*made);
+    if (common.json)
+        fmt::print(arguments.output == "-" ? stderr : stdout, "{}\n", formats::write_figures(*made));
+    else if (!common.quiet)
+        fmt::print(stderr, "{}", summary(*made, report));
+    if (!common.quiet) fmt::print(stderr, "{}", findings(report, common.verbose));
+    if (arguments.open)
+        if (const auto shown = show(*made, arguments); !shown) return complain(shown.error()), bad_input;
+    const bool short_of = !report.sound() || made->figures.fallbacks > 0 || !made->undrivable.empty() ||
+                          !made->idle_edits.empty() || !report.blemishes.empty();
+    return arguments.strict && short_of ? falls_short : done;
+}
+
+}  // namespace strandline::cli

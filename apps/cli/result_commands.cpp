@@ -1,0 +1,181 @@
+// Commands that begin with a finished plan: export, formats, check, render; and the lists of what there is.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <functional>
+
+#include "arguments.hpp"
+#include "base/units/units.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "result/check/check.hpp"
+#include "result/formats/formats.hpp"
+#include "summary.hpp"
+#ifdef STRANDLINE_PICTURES
+#include "result/picture/picture.hpp"
+#endif
+
+namespace strandline::cli {
+namespace {
+
+struct Format {
+    std::string name, what;
+    std::function<std::string(const Plan&, const ExportArguments&)> write;
+};
+
+const std::vector<Format>& export_formats() {
+    static const std::vector<Format> table{
+        {"beachbot", "the pair NAME_robot.txt, NAME_rake.txt: x y mask, metres, a line an instant", {}},
+        {"trace", "what is drawn and driven as polylines (JSON), for measuring",
+         [](const Plan& plan, const ExportArguments& a) {
+             return formats::write_trace(plan, a.path == "robot");
+         }},
+        {"csv", "a line a sample: s, t, x, y, heading, curvature, speed, turn rate, pins, rake",
+         [](const Plan& plan, const ExportArguments&) { return formats::write_csv(plan); }},
+        {"svg", "picture: rake down black at true width, rake up red",
+         [](const Plan& plan, const ExportArguments&) { return formats::write_svg(plan); }},
+    };
+    return table;
+}
+
+Outcome<Plan> read_plan_file(const std::string& path) {
+    const auto text = read_input(path);
+    if (!text) return tl::unexpected(text.error());
+    return formats::read_plan(*text, path);
+}
+
+int write_pair(const Plan& plan, const std::string& output) {
+    const formats::BeachbotPair pair = formats::write_beachbot(plan);
+    if (output == "-") {
+        complain({"--format beachbot", "writes two files", "name them with -o NAME.txt"});
+        return bad_call;
+    }
+    const std::string base = output.ends_with(".txt") ? output.substr(0, output.size() - 4) : output;
+    for (const auto& [path, text] :
+         {std::pair{base + "_robot.txt", &pair.robot}, {base + "_rake.txt", &pair.rake}})
+        if (const auto written = write_output(path, *text); !written)
+            return complain(written.error()), bad_input;
+    return done;
+}
+
+std::string report_json(const check::Report& report) {
+    // Flat and small: numbers and plain sentences only, so that no JSON library is needed here.
+    std::string faults, blemishes;
+    const auto quoted = [](const std::string& text) {
+        std::string safe;
+        for (char c : text) {
+            if (c == '"' || c == '\\') safe += '\\';
+            safe += c;
+        }
+        return safe;
+    };
+    for (const check::Fault& f : report.faults)
+        faults += fmt::format(
+            "{}\n  "
+            "{{\"law\":\"{}\",\"what\":\"{}\",\"x\":{},\"y\":{},\"sample\":{},\"stroke\":{},\"element\":{}}}",
+            faults.empty() ? "" : ",", check::name_of(f.law), quoted(f.what), f.at.x, f.at.y, f.sample,
+            f.stroke, f.element);
+    for (const check::Blemish& b : report.blemishes)
+        blemishes +=
+            fmt::format("{}\n  {{\"x\":{},\"y\":{},\"area\":{},\"crossings\":{},\"element\":{},\"t\":{}}}",
+                        blemishes.empty() ? "" : ",", b.at.x, b.at.y, b.area, b.crossings, b.element, b.t);
+    return fmt::format(
+        "{{\"sound\":{},\"drawn\":{},\"up_driven\":{},\"time\":{},\"coverage\":{},\"overdraw\":{},\"spill\":{"
+        "},\"crossings\":{},"
+        "\"driven_over\":{},\"max_curvature_up\":{},\"max_sharpness_up\":{},\"worst_offset\":{},\n\"faults\":"
+        "[{}],\n\"blemishes\":[{}]}}\n",
+        report.sound(), report.drawn, report.up_driven, report.time, report.coverage, report.overdraw,
+        report.spill, report.crossings, report.driven_over, report.max_curvature_up, report.max_sharpness_up,
+        report.worst_offset, faults, blemishes);
+}
+
+}  // namespace
+
+int export_plan(const ExportArguments& arguments, const Common&) {
+    const Format* format = nullptr;
+    std::string names;
+    for (const Format& f : export_formats()) {
+        if (f.name == arguments.format) format = &f;
+        names += (names.empty() ? "" : ", ") + f.name;
+    }
+    if (!format)
+        return complain({"--format " + arguments.format, "is not known", "use one of " + names}), bad_call;
+    const auto plan = read_plan_file(arguments.input);
+    if (!plan) return complain(plan.error()), bad_input;
+    if (format->name == "beachbot") return write_pair(*plan, arguments.output);
+    const auto written = write_output(arguments.output, format->write(*plan, arguments));
+    if (!written) return complain(written.error()), bad_input;
+    return done;
+}
+
+int list_formats(const Common&) {
+    for (const Format& f : export_formats()) fmt::print("{:<10} {}\n", f.name, f.what);
+    return done;
+}
+
+int check(const CheckArguments& arguments, const Common& common) {
+    const auto plan = read_plan_file(arguments.input);
+    if (!plan) return complain(plan.error()), bad_input;
+    const check::Report report = check::prove(*plan, {}, console_progress(common.quiet));
+    if (common.json) {
+        fmt::print("{}", report_json(report));
+    } else if (!common.quiet) {
+        fmt::print("{}", summary(*plan, report));
+        fmt::print("{}", findings(report, common.verbose));
+        for (const check::Blemish& b : report.blemishes)
+            if (common.verbose)
+                fmt::print(
+                    "blemish: at ({:.2f}, {:.2f}) after {:.0f} s: {} crossings, {:.3f} m^2 of element {}\n",
+                    b.at.x, b.at.y, b.t, b.crossings, b.area, b.element);
+    }
+    return report.sound() ? done : falls_short;
+}
+
+int render(const RenderArguments& arguments, const Common&) {
+    const bool svg = arguments.output.ends_with(".svg"), png = arguments.output.ends_with(".png");
+    if (!svg && !png)
+        return complain({"-o " + arguments.output, "is neither .svg nor .png",
+                         "name the picture picture.svg or picture.png"}),
+               bad_call;
+#ifndef STRANDLINE_PICTURES
+    if (png)
+        return complain(
+                   {"-o " + arguments.output, "this program was built without pictures", "render to .svg"}),
+               bad_call;
+#endif
+    const auto plan = read_plan_file(arguments.input);
+    if (!plan) return complain(plan.error()), bad_input;
+    Outcome<std::string> bytes;
+#ifdef STRANDLINE_PICTURES
+    bytes = svg ? formats::write_svg(*plan) : picture::png(*plan, {.pixels = arguments.pixels});
+#else
+    bytes = formats::write_svg(*plan);
+#endif
+    if (!bytes) return complain(bytes.error()), bad_input;
+    const auto written = write_output(arguments.output, *bytes);
+    if (!written) return complain(written.error()), bad_input;
+    return done;
+}
+
+int list_settings(const Common&) {
+    const Options defaults;
+    for (const Setting& s : settings()) {
+        std::string values = name_of(s.kind);
+        if (s.kind == Setting::Kind::choice) values = fmt::format("{}", fmt::join(s.choices, " | "));
+        fmt::print("{:<26} {:<12} {}\n{:<40}{}\n", s.key, get(defaults, s.key), s.meaning, "", values);
+    }
+    return done;
+}
+
+int show_robot(const std::string& name, const Common&) {
+    if (name.empty()) {
+        for (const std::string& robot : builtin_robots()) fmt::print("{}\n", robot);
+        return done;
+    }
+    const auto robot = robot_named(name);
+    if (!robot) return complain(robot.error()), bad_input;
+    fmt::print("{}", write_robot(*robot));
+    return done;
+}
+
+}  // namespace strandline::cli

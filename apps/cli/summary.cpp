@@ -1,0 +1,86 @@
+#include "summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strandline::cli {
+namespace {
+
+// More of one kind than this is summed up, not listed, unless asked for.
+constexpr std::size_t most_listed = 8;
+
+std::string duration(double seconds) {
+    const int whole = static_cast<int>(std::lround(seconds));
+    return whole >= 3600 ? fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60)
+                         : fmt::format("{} min {:02} s", whole / 60, whole % 60);
+}
+
+std::string scale_text(const Plan& plan) {
+    const Drawing& d = plan.drawing;
+    std::string text = fmt::format("1 user unit = {:.4g} m", d.scale);
+    if (d.scale_denominator) {
+        const double n = *d.scale_denominator;
+        text += n >= 1 ? fmt::format(", 1:{:.4g}", n) : fmt::format(", {:.4g}:1", 1 / n);
+    }
+    return fmt::format("{}; canvas {:g} x {:g} m", text, d.canvas.width, d.canvas.height);
+}
+
+std::string corners(const Figures& f) {
+    return fmt::format("{} exact, {} rounded, {} looped, {} turned on the spot", f.corners_exact,
+                       f.corners_rounded, f.corners_looped, f.corners_pivoted);
+}
+
+}  // namespace
+
+std::string summary(const Plan& plan, const check::Report& report) {
+    const Figures& f = plan.figures;
+    std::string text;
+    const auto row = [&](std::string_view name, const std::string& value) {
+        text += fmt::format("  {:<12} {}\n", name, value);
+    };
+    row("scale", scale_text(plan));
+    row("robot", plan.robot.name);
+    row("elements", fmt::format("{} lines, {} areas; {} strokes", f.lines, f.regions, f.strokes));
+    row("drawn", fmt::format("{:.2f} m of rake path", f.drawn));
+    row("rake up",
+        fmt::format("{:.2f} m straight / {:.2f} m Dubins bound / {:.2f} m driven{}", f.up_straight,
+                    f.up_dubins, f.up_driven,
+                    f.loops_driven > 0 ? fmt::format(" + {:.2f} m in corner loops", f.loops_driven) : ""));
+    row("order", std::string(f.tour_proven ? "proven optimal for straight gaps" : "searched") +
+                     (f.reproducible ? "" : ", stopped early: not reproducible"));
+    row("time", duration(f.time));
+    if (f.regions > 0)
+        row("areas", fmt::format("{:.1f} % covered, {:.1f} % raked twice, {:.1f} % outside",
+                                 100 * report.coverage, 100 * report.overdraw, 100 * report.spill));
+    row("blemishes", fmt::format("{} crossings of finished lines, {:.2f} m^2 of finished areas driven over",
+                                 report.crossings, report.driven_over));
+    row("corners", corners(f));
+    row("tightest", plan.robot.min_radius > 0
+                        ? fmt::format("{:.2f} 1/m rake up (limit {:.2f}), {:.2f} 1/m drawing", f.tightest_up,
+                                      1 / plan.robot.min_radius, f.tightest_drawn)
+                        : "turns on the spot");
+    row("fallbacks", fmt::format("{}; {} gaps joined directly; {} spans that cannot be driven", f.fallbacks,
+                                 f.direct, plan.undrivable.size()));
+    row("warnings", fmt::format("{}", plan.warnings.size() + plan.idle_edits.size()));
+    row("check", report.sound() ? "sound" : fmt::format("{} faults", report.faults.size()));
+    return text;
+}
+
+std::string findings(const check::Report& report, bool all) {
+    std::string text;
+    std::size_t listed = 0;
+    for (const check::Fault& fault : report.faults) {
+        if (!all && ++listed > most_listed) {
+            text += fmt::format("fault: and {} more (strandline check --verbose lists all)\n",
+                                report.faults.size() - most_listed);
+            break;
+        }
+        text += fmt::format("fault: {} at ({:.2f}, {:.2f}): {}\n", check::name_of(fault.law), fault.at.x,
+                            fault.at.y, fault.what);
+    }
+    return text;
+}
+
+}  // namespace strandline::cli

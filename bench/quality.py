@@ -1,0 +1,289 @@
+#!/usr/bin/python3
+"""quality.py PROGRAM [--shared DIR] [--only SECTION,...] -> Markdown tables on stdout.
+
+Measures what the program makes, from outside, by its commands. Two columns where a judge has cases of its own: the judge's cases and fresh
+seeded ones made here, so that nothing is tuned to the first. Without the judges' folder only the second column is filled, by the checks in
+this file. Sections: drawings, clipart, tour, connect, fill, convert. Needs python3; the judges need numpy and shapely.
+"""
+import argparse, json, math, os, random, resource, statistics, subprocess, sys, tempfile, time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def run(arguments, stdin=None, timeout=600):
+    """-> (exit code, stdout, stderr, CPU seconds, peak MB); exit code None after the timeout"""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+        process = subprocess.Popen([str(a) for a in arguments], stdin=subprocess.PIPE if stdin is not None else subprocess.DEVNULL,
+                                   stdout=out, stderr=err)
+        try:
+            process.communicate(stdin.encode() if stdin is not None else None, timeout=timeout)
+            code = process.returncode
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+            code = None
+        out.seek(0), err.seek(0)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        return code, out.read().decode(errors="replace"), err.read().decode(errors="replace"), cpu, after.ru_maxrss / 1024
+
+
+def peak_mb(arguments):
+    """of this one process, not of all children so far"""
+    script = "import resource,subprocess,sys; subprocess.run(sys.argv[1:],stdout=subprocess.DEVNULL,stderr=subprocess.DEVNULL); print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss/1024)"
+    return float(subprocess.run([sys.executable, "-c", script, *map(str, arguments)], capture_output=True, text=True).stdout)
+
+
+def table(title, head, rows):
+    print(f"\n## {title}\n")
+    print("| " + " | ".join(head) + " |")
+    print("|" + "---|" * len(head))
+    for row in rows:
+        print("| " + " | ".join(str(c) for c in row) + " |")
+    sys.stdout.flush()
+
+
+def percent(values, share):
+    values = sorted(values)
+    return values[min(len(values) - 1, int(share * (len(values) - 1) + 0.5))] if values else float("nan")
+
+
+# ---- drawings ------------------------------------------------------------------------------------------------
+
+def plan_row(program, path, folder, extra=()):
+    out = folder / "plan.json"
+    times = []
+    for _ in range(3):
+        code, _, err, cpu, _ = run([program, "plan", path, "-o", out, "-q", *extra])
+        times.append(cpu)
+    if code != 0:
+        return [path.stem, f"exit {code}: {err.strip()[:80]}"] + [""] * 9
+    memory = peak_mb([program, "plan", path, "-o", out, "-q", *extra])
+    figures = json.loads(run([program, "plan", path, "-o", out, "-q", "--json", *extra])[1])
+    code, text, _, _, _ = run([program, "check", out, "--json"])
+    report = json.loads(text)
+    verdict = "sound" if report["sound"] else f"{len(report['faults'])} faults"
+    areas = "" if not figures["regions"] else "%.1f / %.1f / %.1f" % tuple(100 * report[k] for k in ("coverage", "overdraw", "spill"))
+    return [path.stem, f"{figures['lines']} + {figures['regions']}", f"{figures['drawn']:.1f}", f"{figures['up_straight']:.2f}",
+            f"{figures['up_dubins']:.1f}", f"{figures['up_driven']:.1f}", f"{figures['loops_driven']:.1f}", areas,
+            f"{report['crossings']} / {report['driven_over']:.2f}", verdict, f"{statistics.median(times):.2f} / {memory:.0f}"]
+
+
+def drawings(program, shared, folder):
+    head = ["drawing", "lines + areas", "drawn m", "rake up straight m", "Dubins m", "driven m", "corner loops m",
+            "coverage / overdraw / spill %", "crossings / m^2 over finished", "check", "CPU s / MB"]
+    for title, paths in (("The drawings of 2014", sorted((shared / "drawings").glob("*.svg"))), ("Our own drawings", sorted((ROOT / "drawings").glob("*.svg")))):
+        if paths:
+            table(title + " (`strandline plan`, beachbot, 14 x 14 m)", head, [plan_row(program, p, folder) for p in paths])
+    ours = sorted((ROOT / "drawings").glob("*.svg"))
+    table("Our own drawings on a plotter (A4)", head, [plan_row(program, p, folder, ["--robot", "plotter", "--canvas", "A4", "--margin", "10mm"]) for p in ours])
+
+
+def clipart(program, shared, folder):
+    source = Path("/usr/share/openclipart/svg")
+    files = sorted(source.rglob("*.svg")) if source.is_dir() else []
+    if not files:
+        return print("\nClip-art: Debian's openclipart-svg is not installed; left out.")
+    random.Random(2014).shuffle(files)
+    counts, slow, odd, laws = {}, [], [], {}
+    for path in files[:300]:
+        out = folder / "clip.json"
+        start = time.time()
+        code, _, err, cpu, _ = run([program, "plan", path, "-o", out, "-q"], timeout=30)
+        seconds = time.time() - start
+        if seconds > 5: slow.append(f"{path.name} {seconds:.1f} s")
+        if code is None: kind = "hang"
+        elif code < 0: kind = f"crash ({-code})"
+        elif code == 1: kind = "refused: " + err.strip().split(": ", 2)[-1].split(";")[0][:60]
+        elif code == 0:
+            checked, text, _, _, _ = run([program, "check", out, "--json"], timeout=60)
+            report = json.loads(text)
+            kind = "sound" if checked == 0 else "faults named"
+            for law in {f["law"] for f in report["faults"]}: laws[law] = laws.get(law, 0) + 1
+        else: kind = f"exit {code}"
+        counts[kind] = counts.get(kind, 0) + 1
+        if kind.startswith(("crash", "hang", "exit")): odd.append(f"{path.name}: {kind}")
+    table("300 random files of Debian's openclipart-svg (seed 2014)", ["outcome", "files"], sorted(counts.items(), key=lambda c: -c[1]))
+    print(f"\nover 5 s: {', '.join(slow) or 'none'}; crashes, hangs: {', '.join(odd) or 'none'}; files by broken law: {laws or 'none'}")
+
+
+# ---- tour ----------------------------------------------------------------------------------------------------
+
+OPTIMA = {"asset_lion_example": 1104.838, "asset_shark_test": 636.189, "asset_asl_logo": 858.085, "asset_asl_font": 352.550,
+          "asset_flower_example": 60.701, "asset_maleficient": 558.238}
+BEST_KNOWN = {"asset_floral_patterns": 2942.128, "seg_100": 5720.5, "mix_200": 10524, "seg_1k": 51963, "hershey_scripts_1k": 8448.6,
+              "hershey_futural_400": 6115.8, "mix_2k": 96855, "seg_10k": 498353}
+
+
+def tour_length(instance, solution):
+    here, total = instance["start"], 0.0
+    assert sorted(s["element"] for s in solution) == list(range(len(instance["elements"])))
+    for step in solution:
+        element = instance["elements"][step["element"]]
+        points, entry = element["points"], step["entry_index"]
+        if not element["closed"]:
+            assert entry == (len(points) - 1 if step["reversed"] else 0)
+        if here is not None: total += math.dist(here, points[entry])
+        here = points[entry] if element["closed"] else points[0 if step["reversed"] else -1]
+    return total
+
+
+def tour_row(program, path, folder, best, seeds=(1, 2, 3)):
+    instance = json.loads(path.read_text())
+    lengths, cpu = [], []
+    for seed in seeds:
+        code, _, err, seconds, _ = run([program, "tour", path, "-o", folder / "tour.json", "--seed", seed, "-q"])
+        assert code == 0, err
+        lengths.append(tour_length(instance, json.loads((folder / "tour.json").read_text())))
+        cpu.append(seconds)
+    gap = f"{100 * (max(lengths) / best - 1):+.3f} %" if best else ""
+    return [path.stem, len(instance["elements"]), f"{min(lengths):.3f}", f"{max(lengths):.3f}", best or "", gap, f"{statistics.median(cpu):.2f}"]
+
+
+def random_instance(kind, n, seed):
+    r, side, elements = random.Random(seed), 100 * math.sqrt(n), []
+    for _ in range(n):
+        x, y = r.random() * side, r.random() * side
+        if kind == "lines":
+            a, l = r.random() * 2 * math.pi, r.uniform(10, 150)
+            elements.append({"closed": False, "points": [[x, y], [x + l * math.cos(a), y + l * math.sin(a)]]})
+        else:
+            k, radius = r.randint(3, 30), r.uniform(8, 70)
+            elements.append({"closed": r.random() < .5, "points": [[x + radius * math.cos(2 * math.pi * j / k), y + radius * math.sin(2 * math.pi * j / k)] for j in range(k)]})
+    return {"start": [0, 0], "elements": elements}
+
+
+def tour(program, shared, folder):
+    head = ["instance", "elements", "best of seeds 1-3", "worst", "optimum or best known", "worst over it", "CPU s"]
+    instances = shared / "judge/tour/instances"
+    if instances.is_dir():
+        small = [tour_row(program, instances / f"{name}.json", folder, best) for name, best in OPTIMA.items()]
+        table("Tour: proven optima", head, small)
+        print(f"\nthe six together: {sum(float(r[-1]) for r in small):.2f} CPU s")
+        table("Tour: best known", head, [tour_row(program, instances / f"{name}.json", folder, best) for name, best in BEST_KNOWN.items()])
+    rows = []
+    for kind, n in (("lines", 30), ("mixed", 12), ("lines", 100), ("mixed", 200), ("lines", 1000)):
+        for seed in (101, 102):
+            path = folder / f"fresh_{kind}_{n}_{seed}.json"
+            path.write_text(json.dumps(random_instance(kind, n, seed)))
+            rows.append(tour_row(program, path, folder, None))
+    table("Tour: fresh cases", head, rows)
+
+
+# ---- connect -------------------------------------------------------------------------------------------------
+
+def pairs(n, seed, sigma, curved):
+    r = random.Random(seed)
+    for i in range(n):
+        d, a = 0.1 * 200 ** r.random(), r.random() * 2 * math.pi
+        pair = {"start": [0, 0, r.random() * 2 * math.pi], "end": [d * math.cos(a), d * math.sin(a), r.random() * 2 * math.pi], "R": 1, "sigma": sigma, "id": i}
+        if curved: pair["kappa0"], pair["kappa1"] = r.uniform(-1, 1), r.uniform(-1, 1)
+        yield pair
+
+
+def connect(program, shared, folder, n=10000):
+    judge = shared / "judge/curves/checkcurves.cpp"
+    binary = folder / "checkcurves"
+    if not judge.is_file():
+        return print("\nConnect: the judge is not at hand; left out (tests/connect holds the laws).")
+    subprocess.run(["g++", "-O2", "-std=c++17", str(judge), "-o", str(binary)], check=True)
+    rows = []
+    for seed, name in ((20140704, "rule of the judge"), (7, "fresh")):
+        for sigma in (2.5, 10):
+            for curved in (False, True):
+                source, out = folder / "pairs.jsonl", folder / "curves.jsonl"
+                source.write_text("".join(json.dumps(p) + "\n" for p in pairs(n, seed, sigma, curved)))
+                code, _, err, cpu, _ = run([program, "connect", source, "-o", out, "-q"])
+                assert code == 0, err
+                judged = subprocess.run([str(binary), str(out)], capture_output=True, text=True)
+                lines = [json.loads(l) for l in judged.stdout.splitlines()]
+                ratios = [l["ratio"] for l in lines if "ratio" in l]
+                rows.append([name, sigma, "random" if curved else "0", sum(bool(l.get("violations")) for l in lines), f"{percent(ratios, .5):.3f}",
+                             f"{percent(ratios, .95):.3f}", f"{statistics.mean(ratios):.3f}", f"{cpu / n * 1e6:.0f}"])
+    table(f"Connect: {n} pairs, R = 1 (time holds reading and writing the samples)", ["pairs", "sigma R^2", "end curvatures", "violations", "length / Dubins p50", "p95", "mean", "us a pair"], rows)
+
+
+# ---- fill ----------------------------------------------------------------------------------------------------
+
+def star_region(r, n, radius, hole):
+    ring = lambda c, rad, wobble: [[c[0] + rad * (1 + wobble * r.uniform(-1, 1)) * math.cos(2 * math.pi * j / n), c[1] + rad * (1 + wobble * r.uniform(-1, 1)) * math.sin(2 * math.pi * j / n)] for j in range(n)]
+    return {"polygon": {"outer": ring((0, 0), radius, .3), "holes": [ring((0, 0), .3 * radius, .1)[::-1]] if hole else []}, "width": 1}
+
+
+def fill(program, shared, folder):
+    judge = shared / "judge/fill/evaluate.py"
+    if not judge.is_file():
+        return print("\nFill: the judge is not at hand; left out (tests/fill holds the laws).")
+    cases = [(p.stem, p) for p in sorted((shared / "judge/fill/polygons").glob("*.json"))]
+    r = random.Random(99)
+    for i in range(8):
+        path = folder / f"fresh_{i}.json"
+        path.write_text(json.dumps(star_region(r, r.randint(8, 40), r.uniform(4, 15), i % 2)))
+        cases.append((f"fresh {i}", path))
+    for style in ("spiral", "zigzag"):
+        rows, all_e, coverages = [], [], []
+        for name, path in cases:
+            code, _, err, cpu, _ = run([program, "fill", path, "--style", style, "-o", folder / "fill.json", "-q"])
+            if code not in (0, 3):
+                rows.append([name, f"exit {code}: {err.strip()[:60]}"] + [""] * 7)
+                continue
+            judged = subprocess.run(["/usr/bin/python3", str(judge), str(folder / "fill.json")], capture_output=True, text=True)
+            try:
+                m = json.loads(judged.stdout)
+            except json.JSONDecodeError:
+                rows.append([name, "the judge: " + (judged.stderr or judged.stdout).strip()[-60:]] + [""] * 7)
+                continue
+            e = 1 - m["coverage"] + m.get("overdraw", 0) + m.get("spill", 0)
+            all_e.append(100 * e), coverages.append(100 * m["coverage"])
+            rows.append([name] + [f"{100 * m.get(k, 0):.2f}" for k in ("coverage", "overdraw", "spill")] + [f"{100 * e:.1f}", m.get("hops", ""), m.get("driveover", ""), f"{m.get('ratio', 0):.3f}", f"{1000 * cpu:.0f}"])
+        rows.append(["**median**", f"{percent(coverages, .5):.2f}", "", "", f"{percent(all_e, .5):.1f}", "", "", "", ""])
+        table(f"Fill: {style}, solid rake, vehicle free", ["shape", "coverage %", "overdraw %", "spill %", "E %", "hops", "drives over", "length x w / area", "CPU ms (whole process)"], rows)
+
+
+# ---- convert -------------------------------------------------------------------------------------------------
+
+def convert(program, shared, folder):
+    rows = []
+    for radius in (0.25, 0.3, 0.5, 1.0, 3.0):
+        step, sweep = 0.05, 1.5 * math.pi
+        n = max(4, int(radius * sweep / step))
+        truth = lambda s: (radius * math.cos(s / radius), radius * math.sin(s / radius))
+        source = folder / "rake.csv"
+        source.write_text("x,y,pins\n" + "".join("%.9f,%.9f,127\n" % truth(i * step) for i in range(n)))
+        code, out, err, _, _ = run([program, "convert", source, "--robot", "beachbot", "-o", "-", "-q"])
+        lines = [list(map(float, l.split(","))) for l in out.split()[1:]]
+        worst = 0.0
+        for a, b in zip(lines, lines[1:]):
+            for k in range(11):
+                t = k / 10
+                x, y = a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])
+                # the robot drives an arc from pose to pose: bulge of the chord by its turning
+                turn = math.remainder(b[2] - a[2], 2 * math.pi)
+                chord = math.hypot(b[0] - a[0], b[1] - a[1])
+                bulge = chord * turn / 2 * t * (1 - t)
+                ux, uy = ((b[0] - a[0]) / chord, (b[1] - a[1]) / chord) if chord else (0, 0)
+                x, y = x + bulge * uy, y - bulge * ux
+                theta = a[2] + t * turn
+                worst = max(worst, abs(math.hypot(x - 0.2 * math.cos(theta), y - 0.2 * math.sin(theta)) - radius))
+        rows.append([radius, code, f"{100 * worst:.4f}"])
+    table("Convert: arcs sampled every 5 cm, poses interpolated", ["radius m", "exit", "largest rake error cm"], rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program")
+    parser.add_argument("--shared", default=ROOT.parent / "shared", type=Path)
+    parser.add_argument("--only", default="drawings,clipart,tour,connect,fill,convert")
+    arguments = parser.parse_args()
+    program = Path(arguments.program).resolve()
+    version = run([program, "--version"])[1].strip()
+    print(f"# Bench\n\n{version}, measured {time.strftime('%Y-%m-%d')} by `scripts/bench`. Times are of a shared two-core machine: compare ratios.")
+    with tempfile.TemporaryDirectory() as folder:
+        for name in arguments.only.split(","):
+            globals()[name](program, arguments.shared, Path(folder))
+
+
+if __name__ == "__main__":
+    main()

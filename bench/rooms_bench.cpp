@@ -1,0 +1,110 @@
+// Speed, a room at a time, on seeded inputs of our own.
+#include <benchmark/benchmark.h>
+
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "input/drawing/drawing.hpp"
+#include "input/svg/svg.hpp"
+#include "machine/follow/follow.hpp"
+#include "path/fill/fill.hpp"
+#include "path/tour/tour.hpp"
+#include "plan/pipeline/pipeline.hpp"
+#include "result/check/check.hpp"
+#include "result/formats/formats.hpp"
+
+namespace strandline {
+namespace {
+
+double uniform(std::mt19937_64& random, double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
+std::string drawing_text(const char* name) {
+    std::ifstream file(std::string(STRANDLINE_SOURCE "/drawings/") + name);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void svg_read(benchmark::State& state) {
+    const std::string text = drawing_text("mandala.svg");
+    for (auto _ : state) benchmark::DoNotOptimize(svg::read(text));
+    state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
+}
+BENCHMARK(svg_read);
+
+void drawing_made(benchmark::State& state) {
+    const auto document = svg::read(drawing_text("mandala.svg"));
+    const Robot robot = *builtin_robot("beachbot");
+    for (auto _ : state) benchmark::DoNotOptimize(make_drawing(*document, robot, {}));
+}
+BENCHMARK(drawing_made);
+
+void curve_continuous_curvature(benchmark::State& state) {
+    std::mt19937_64 random(20140704);
+    const auto pose = [&](double reach) {
+        const double a = uniform(random, -pi, pi);
+        return CurvatureState{{reach * unit(a), uniform(random, -pi, pi)}, uniform(random, -2, 2)};
+    };
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            continuous_curvature(pose(0), pose(0.05 * std::pow(200, uniform(random, 0, 1))), {0.5, 10}));
+}
+BENCHMARK(curve_continuous_curvature);
+
+void follow_100_m(benchmark::State& state) {
+    const Robot robot = *builtin_robot("beachbot");
+    Curve curve{{{0, 0}, 0}, {}};
+    for (int i = 0; i < 50; ++i) curve.pieces.push_back({2, i % 2 ? 1.0 : -1.0, i % 2 ? -1.0 : 1.0});
+    for (auto _ : state) benchmark::DoNotOptimize(robot_path_for({curve}, robot));
+}
+BENCHMARK(follow_100_m);
+
+void fill_ring(benchmark::State& state) {
+    Region region;
+    for (int i = 0; i < 100; ++i)
+        region.outer.push_back((5 + 0.5 * std::sin(0.5 * i)) * unit(2 * pi * i / 100));
+    region.holes.push_back({{-1, -1}, {-1, 1}, {1, 1}, {1, -1}});
+    fill::Options options;
+    options.style = state.range(0) ? fill::Style::zigzag : fill::Style::spiral;
+    for (auto _ : state) benchmark::DoNotOptimize(fill::fill_region(region, 0, "ring", options));
+}
+BENCHMARK(fill_ring)->ArgNames({"zigzag"})->Arg(0)->Arg(1);
+
+void tour_lines(benchmark::State& state) {
+    std::mt19937_64 random(1);
+    tour::Problem problem;
+    const double side = 100 * std::sqrt(static_cast<double>(state.range(0)));
+    for (int i = 0; i < state.range(0); ++i) {
+        const Point a{uniform(random, 0, side), uniform(random, 0, side)};
+        tour::Element line;
+        line.points = {a, a + uniform(random, 10, 150) * unit(uniform(random, -pi, pi))};
+        problem.elements.push_back(line);
+    }
+    for (auto _ : state) benchmark::DoNotOptimize(tour::solve(problem));
+}
+BENCHMARK(tour_lines)->Arg(12)->Arg(100)->Unit(benchmark::kMillisecond);
+
+void plan_whole(benchmark::State& state) {
+    const std::string text = drawing_text("starfish.svg");
+    const Robot robot = *builtin_robot("beachbot");
+    for (auto _ : state) benchmark::DoNotOptimize(make_plan({text, "starfish.svg"}, robot, {}));
+}
+BENCHMARK(plan_whole)->Unit(benchmark::kMillisecond);
+
+void check_proves(benchmark::State& state) {
+    const auto plan =
+        make_plan({drawing_text("starfish.svg"), "starfish.svg"}, *builtin_robot("beachbot"), {});
+    for (auto _ : state) benchmark::DoNotOptimize(check::prove(*plan));
+}
+BENCHMARK(check_proves)->Unit(benchmark::kMillisecond);
+
+void formats_round_trip(benchmark::State& state) {
+    const auto plan =
+        make_plan({drawing_text("starfish.svg"), "starfish.svg"}, *builtin_robot("beachbot"), {});
+    for (auto _ : state) benchmark::DoNotOptimize(formats::read_plan(formats::write_plan(*plan), "bench"));
+}
+BENCHMARK(formats_round_trip)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace strandline

@@ -1,0 +1,73 @@
+# Sourced by ./run and ./test: installs what is missing, configures and builds. Says what it does on stderr, and nothing when there is
+# nothing to do. Needs Debian 12 (or a system whose apt has the same packages), as root or with sudo.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '%s\n' "$*" >&2; }
+die() { say "strandline: $*"; exit 1; }
+
+# install NAME PACKAGE...: a stamp keeps the check fast; a changed list checks again.
+install_packages() {
+    local name=$1 stamp missing list
+    shift
+    list="$*"
+    stamp="$root/build/.packages-$name"
+    [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$list" ] && return
+    command -v apt-get >/dev/null || die "apt-get is not on this system; install these Debian packages by other means, then create $stamp with this list in it: $list"
+    missing=()
+    local package
+    for package in "$@"; do
+        dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q '^install ok installed' || missing+=("$package")
+    done
+    if [ ${#missing[@]} -gt 0 ]; then
+        say "installing ${#missing[@]} packages: ${missing[*]}"
+        local sudo=()
+        if [ "$(id -u)" -ne 0 ]; then
+            command -v sudo >/dev/null || die "packages are missing and this is neither root nor a user with sudo; run: apt-get install ${missing[*]}"
+            sudo=(sudo)
+        fi
+        mkdir -p "$root/build"
+        local log="$root/build/packages.log"
+        { "${sudo[@]}" apt-get update -q && "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"; } \
+            >"$log" 2>&1 || { tail -n 5 "$log" >&2; die "installing packages failed; the whole log is in $log"; }
+    fi
+    mkdir -p "$root/build"
+    printf '%s' "$list" >"$stamp"
+}
+
+build_packages=(g++ cmake ninja-build ccache pkg-config libpugixml-dev libpolyclipping-dev libcgal-dev nlohmann-json3-dev
+    libcli11-dev libtomlplusplus-dev libfmt-dev libexpected-dev libcairo2-dev)
+test_packages=(libgtest-dev librapidcheck-dev clang-format python3 librsvg2-bin)
+judge_packages=(python3-shapely python3-numpy python3-scipy)
+
+# build PRESET TARGET...: configured once; ninja does the rest and is quick when nothing changed.
+build() {
+    local preset=$1
+    shift
+    local folder="$root/build/$preset" log="$root/build/$preset.log"
+    if [ ! -f "$folder/build.ninja" ]; then
+        say "configuring $preset"
+        (cd "$root" && cmake --preset "$preset") >"$log" 2>&1 || { tail -n 20 "$log" >&2; die "configuring failed; the whole log is in $log"; }
+    fi
+    local arguments=()
+    local target
+    for target in "$@"; do arguments+=(--target "$target"); done
+    if [ -t 2 ]; then
+        cmake --build "$folder" "${arguments[@]}" 2>&1 | tee "$log" | show_progress
+    else
+        cmake --build "$folder" "${arguments[@]}" >"$log" 2>&1
+    fi
+    local code=${PIPESTATUS[0]}
+    [ "$code" -eq 0 ] || { grep -E -A 5 'error|FAILED' "$log" | head -n 40 >&2; die "building failed; the whole log is in $log"; }
+}
+
+# One line that counts along, on a terminal.
+show_progress() {
+    local line
+    while IFS= read -r line; do
+        case $line in
+            '['*/*']'*) printf '\r\033[Kbuilding %s' "${line%%]*}]" >&2 ;;
+        esac
+    done
+    printf '\r\033[K' >&2
+}

@@ -1,0 +1,124 @@
+#include "machine/robot/robot.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace strandline {
+namespace {
+
+// SVG transforms leave rounding in a stroke's width: 3.0000001 is still "up to 3".
+constexpr double width_slack = 1e-6;
+
+Robot beachbot() {
+    // Rake, radius, speeds, turn rates and rake rules: BeachBot, ETH Zurich 2014. sharpness =
+    // turn_acceleration / speed^2. Footprint and wheels are assumptions (two driven wheels on the turning
+    // axle, inside the rake's width so that the rake smooths their tracks, and one in front): the 2014 files
+    // do not hold them.
+    return Robot{.name = "beachbot",
+                 .rake_offset = 0.2,
+                 .pins = 7,
+                 .pin_pitch = 0.06,
+                 .min_radius = 0.5,
+                 .sharpness = 10,
+                 .can_pivot = false,
+                 .speed = 0.2,
+                 .travel_speed = 0.2,
+                 .acceleration = 0.1,
+                 .turn_rate = 0.4,
+                 .turn_acceleration = 0.4,
+                 .lift_delay = 0,
+                 .front = 0.45,
+                 .back = 0.25,
+                 .half_width = 0.25,
+                 .wheels = {{{0, 0.17}, 0.08}, {{0, -0.17}, 0.08}, {{0.35, 0}, 0.08}},
+                 .rake_rules = {{0, 0}, {1, 1}, {3, 3}, {5, 5}, {8, 7}},
+                 .fill_wide_strokes = true};
+}
+
+Robot plotter() {
+    // A pen on a gantry: what it "turns" costs nothing, so the turn rates are as good as infinite. The
+    // footprint is the pen.
+    return Robot{.name = "plotter",
+                 .rake_offset = 0,
+                 .pins = 1,
+                 .pin_pitch = 0.0005,
+                 .min_radius = 0,
+                 .sharpness = 1e6,
+                 .can_pivot = true,
+                 .speed = 0.1,
+                 .travel_speed = 0.3,
+                 .acceleration = 2,
+                 .turn_rate = 1000,
+                 .turn_acceleration = 1e6,
+                 .lift_delay = 0.1,
+                 .front = 0.001,
+                 .back = 0.001,
+                 .half_width = 0.001,
+                 .wheels = {},
+                 .rake_rules = {{0, 0}, {1, 1}},
+                 .fill_wide_strokes = false};
+}
+
+Robot turf() {
+    // A field marker: users report a least radius of 3 ft. The paint nozzle, in the middle behind the axle,
+    // the speeds, footprint and wheels are assumptions; sharpness R^2 = 2.5 as for the beachbot. Its line is
+    // one width whatever the drawing says.
+    return Robot{.name = "turf",
+                 .rake_offset = 0.3,
+                 .pins = 1,
+                 .pin_pitch = 0.10,
+                 .min_radius = 0.9,
+                 .sharpness = 3,
+                 .can_pivot = false,
+                 .speed = 1,
+                 .travel_speed = 1,
+                 .acceleration = 0.5,
+                 .turn_rate = 1.2,
+                 .turn_acceleration = 3,
+                 .lift_delay = 0,
+                 .front = 0.6,
+                 .back = 0.4,
+                 .half_width = 0.4,
+                 .wheels = {{{0, 0.3}, 0.1}, {{0, -0.3}, 0.1}, {{0.5, 0}, 0.1}},
+                 .rake_rules = {{0, 0}, {1, 1}},
+                 .fill_wide_strokes = false};
+}
+
+}  // namespace
+
+unsigned pin_mask(const Robot& robot, int count) {
+    const int down = std::clamp(count, 0, robot.pins);
+    // pins are numbered from the left, the leftmost in the highest used bit; what cannot be halved evenly
+    // goes to the left
+    const int right_of_it = (robot.pins - down) / 2;
+    return ((1u << down) - 1u) << right_of_it;
+}
+
+int pins_down(unsigned mask) { return std::popcount(mask); }
+
+int pins_for_width(const Robot& robot, double stroke_width) {
+    if (robot.rake_rules.empty()) return robot.pins;
+    const auto rule = std::find_if(robot.rake_rules.begin(), robot.rake_rules.end(), [&](const RakeRule& r) {
+        return stroke_width <= r.up_to * (1 + width_slack);
+    });
+    return rule == robot.rake_rules.end() ? robot.rake_rules.back().pins : rule->pins;
+}
+
+Polygon footprint(const Robot& robot) {
+    return {{-robot.back, -robot.half_width},
+            {robot.front, -robot.half_width},
+            {robot.front, robot.half_width},
+            {-robot.back, robot.half_width}};
+}
+
+std::vector<std::string> builtin_robots() { return {"beachbot", "plotter", "turf"}; }
+
+Outcome<Robot> builtin_robot(std::string_view name) {
+    if (name == "beachbot") return beachbot();
+    if (name == "plotter") return plotter();
+    if (name == "turf") return turf();
+    return fail("robot", "there is no built-in \"" + std::string(name) + '"',
+                "use beachbot, plotter or turf, or name a .toml file");
+}
+
+}  // namespace strandline

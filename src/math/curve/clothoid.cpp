@@ -1,0 +1,175 @@
+// Where clothoid curves run, and what is read off and cut from them.
+#include <algorithm>
+#include <cmath>
+
+#include "math/curve/curve.hpp"
+#include "math/curve/quadrature.hpp"
+
+namespace strandline {
+namespace {
+
+/// Ten Gauss-Legendre nodes err by less than 1e-15 of the panel while it turns by at most this much
+/// (radians).
+constexpr double panel_turning = 1.5;
+/// A curve that winds more than this is not meant to be driven; it costs time, not memory.
+constexpr double most_panels = 1e6;
+
+/// (sin x / x, (1 - cos x) / x): a circular arc in closed form, with its digits kept near straightness.
+Point chord_factors(double x) {
+    if (std::abs(x) < 1e-4) return {1 - x * x / 6, x / 2 - x * x * x / 24};
+    const double half = std::sin(x / 2);
+    return {std::sin(x) / x, 2 * half * half / x};
+}
+
+/// Finds the piece that holds arc length s and the state at its start.
+template <class Visit>
+void for_pieces(const Curve& curve, Visit visit) {
+    Pose pose = curve.start;
+    double s = 0;
+    for (const Clothoid& piece : curve.pieces) {
+        visit(pose, s, piece);
+        pose = advanced(pose, piece, piece.length);
+        s += piece.length;
+    }
+}
+
+CurvePoint state(Pose start, double s0, const Clothoid& piece, double local) {
+    return {s0 + local, advanced(start, piece, local), piece.curvature + piece.sharpness * local};
+}
+
+}  // namespace
+
+Pose advanced(Pose start, const Clothoid& piece, double s) {
+    const double k = piece.curvature, sharpness = piece.sharpness;
+    const double turned = s * (k + 0.5 * sharpness * s);
+    if (sharpness == 0) {
+        const Point f = chord_factors(turned), ahead = unit(start.heading);
+        return {start.at + s * (f.x * ahead + f.y * left_normal(ahead)), start.heading + turned};
+    }
+    const double turning = std::abs(s) * std::max(std::abs(k), std::abs(k + sharpness * s));
+    const double panels = std::clamp(std::ceil(turning / panel_turning), 1.0, most_panels);
+    Point sum{};
+    for (double i = 0; i < panels; ++i)
+        quadrature::panel(s * i / panels, s * (i + 1) / panels, [&](double t, double weight) {
+            sum = sum + weight * unit(start.heading + t * (k + 0.5 * sharpness * t));
+        });
+    return {start.at + sum, start.heading + turned};
+}
+
+Pose end_pose(const Curve& curve) {
+    Pose pose = curve.start;
+    for (const Clothoid& piece : curve.pieces) pose = advanced(pose, piece, piece.length);
+    return pose;
+}
+
+double length(const Curve& curve) {
+    double sum = 0;
+    for (const Clothoid& piece : curve.pieces) sum += piece.length;
+    return sum;
+}
+
+double max_curvature(const Curve& curve) {
+    double most = 0;
+    for (const Clothoid& piece : curve.pieces)
+        most = std::max({most, std::abs(piece.curvature), std::abs(piece.end_curvature())});
+    return most;
+}
+
+double max_sharpness(const Curve& curve) {
+    double most = 0;
+    for (const Clothoid& piece : curve.pieces)
+        if (piece.length > 0) most = std::max(most, std::abs(piece.sharpness));
+    return most;
+}
+
+double max_curvature_jump(const Curve& curve) {
+    double most = 0;
+    for (std::size_t i = 1; i < curve.pieces.size(); ++i)
+        most = std::max(most, std::abs(curve.pieces[i].curvature - curve.pieces[i - 1].end_curvature()));
+    return most;
+}
+
+CurvePoint point_at(const Curve& curve, double s) {
+    Pose pose = curve.start;
+    double s0 = 0;
+    for (std::size_t i = 0; i < curve.pieces.size(); ++i) {
+        const Clothoid& piece = curve.pieces[i];
+        if (s - s0 <= piece.length || i + 1 == curve.pieces.size())
+            return state(pose, s0, piece, std::clamp(s - s0, 0.0, piece.length));
+        pose = advanced(pose, piece, piece.length);
+        s0 += piece.length;
+    }
+    return {0, curve.start, 0};
+}
+
+std::vector<CurvePoint> sampled(const Curve& curve, double step, int least) {
+    if (curve.pieces.empty()) return {{0, curve.start, 0}};
+    const double whole = length(curve);
+    const double steps = std::max({1.0, static_cast<double>(least - 1), std::ceil(whole / step - 1e-9)});
+    std::vector<CurvePoint> points;
+    points.reserve(static_cast<std::size_t>(steps) + 1);
+    double next = 0, k = 0;
+    for_pieces(curve, [&](Pose pose, double s0, const Clothoid& piece) {
+        for (; k < steps && next <= s0 + piece.length; next = ++k / steps * whole)
+            points.push_back(state(pose, s0, piece, next - s0));
+    });
+    Clothoid last = curve.pieces.back();
+    points.push_back({whole, end_pose(curve), last.end_curvature()});
+    return points;
+}
+
+std::vector<CurvePoint> sampled_by_piece(const Curve& curve, double step) {
+    if (curve.pieces.empty()) return {{0, curve.start, 0}};
+    std::vector<CurvePoint> points{{0, curve.start, curve.pieces.front().curvature}};
+    for_pieces(curve, [&](Pose pose, double s0, const Clothoid& piece) {
+        if (piece.length <= 0) return;
+        const double steps = std::max(1.0, std::ceil(piece.length / step - 1e-9));
+        for (double k = 1; k <= steps; ++k)
+            points.push_back(state(pose, s0, piece, k / steps * piece.length));
+    });
+    return points;
+}
+
+Curve reversed(const Curve& curve) {
+    Curve back{end_pose(curve), {}};
+    back.start.heading += pi;
+    back.pieces.reserve(curve.pieces.size());
+    for (std::size_t i = curve.pieces.size(); i-- > 0;) {
+        const Clothoid& piece = curve.pieces[i];
+        back.pieces.push_back({piece.length, -piece.end_curvature(), piece.sharpness});
+    }
+    return back;
+}
+
+Curve slice(const Curve& curve, double from, double to) {
+    Curve part{curve.start, {}};
+    bool started = false;
+    for_pieces(curve, [&](Pose pose, double s0, const Clothoid& piece) {
+        const double a = std::max(0.0, from - s0), b = std::min(piece.length, to - s0);
+        if (a > piece.length || b < a || (started && b == a)) return;
+        if (!started || part.pieces.empty()) part.start = advanced(pose, piece, a);
+        started = true;
+        if (b > a) part.pieces.push_back({b - a, piece.curvature + piece.sharpness * a, piece.sharpness});
+    });
+    if (!started) part.start = from <= 0 ? curve.start : end_pose(curve);
+    return part;
+}
+
+Curve joined(Curve first, const Curve& second) {
+    if (first.pieces.empty()) return second;
+    first.pieces.insert(first.pieces.end(), second.pieces.begin(), second.pieces.end());
+    return first;
+}
+
+Curve straight(Pose start, double length) { return {start, {{length, 0, 0}}}; }
+
+double bending_energy(const Curve& curve) {
+    double sum = 0;
+    for (const Clothoid& piece : curve.pieces) {
+        const double a = piece.curvature, b = piece.end_curvature();
+        sum += piece.length * (a * a + a * b + b * b) / 3;
+    }
+    return sum;
+}
+
+}  // namespace strandline

@@ -1,0 +1,61 @@
+#pragma once
+// Private to this room: the families of continuous-curvature curves from the origin with heading 0 to a pose,
+// radius 1.
+#include <vector>
+
+#include "math/curve/turns.hpp"
+
+namespace strandline::turns {
+
+/// What is asked for, in the start's frame and in radii.
+struct Task {
+    Task(Pose to_pose, double k0, double k1, double sharpness)
+        : to(to_pose.at),
+          heading(to_pose.heading),
+          ahead(unit(to_pose.heading)),
+          begin(k0),
+          end(k1),
+          spiral(sharpness),
+          first(spiral, k0),
+          last(spiral, -k1) {}
+    Task(const Task&) = delete;
+
+    /// Where the last turn, by `angle`, begins; it is a first turn seen backwards.
+    Turn::End entry(double angle) const {
+        const Turn::End back = last.end(-angle);
+        return {to - rotated(ahead, back.at), back.length};
+    }
+    double last_natural() const { return -last.natural; }
+
+    Point to;
+    double heading;
+    Point ahead;
+    double begin, end;
+    Spiral spiral;
+    Turn first, last;
+};
+
+/// One curve that was found. turn_straight_turn: angle, straight, angle. three_turns: three angles, curvature
+/// 0 between. same_side: both turns to `side` up to the limit, staying for `a` and `b`; between them the
+/// curvature dips to `dip`, straight for `middle` when that is 0.
+struct Found {
+    enum Family { turn_straight_turn, three_turns, same_side } family;
+    double length;
+    double a, middle, b;
+    double side = 1, dip = 0;
+};
+
+/// Never fails: both turns to that side, one at least and one more for each loop. `side` +1 left, -1 right.
+Found same_side(const Task& task, double side);
+/// The shortest with a straight (or none) between two turns that begin and end it.
+void add_turn_straight_turn(const Task& task, std::vector<Found>& found);
+/// Three turns, left-right-left (side 1) or right-left-right.
+void add_three_turns(const Task& task, double side, std::vector<Found>& found);
+
+/// Pieces in radii, neighbours of one slope joined.
+std::vector<Clothoid> pieces(const Task& task, const Found& found);
+
+/// The same angle in [low, low + 2 pi).
+double lifted(double angle, double low);
+
+}  // namespace strandline::turns

@@ -1,0 +1,93 @@
+// Boolean operations and cuts: Vatti's sweep as Clipper has it.
+#include <algorithm>
+
+#include "math/region/grid.hpp"
+
+namespace strandline {
+namespace {
+
+using ClipperLib::Clipper;
+using ClipperLib::ClipType;
+using ClipperLib::Paths;
+using ClipperLib::PolyFillType;
+using ClipperLib::PolyTree;
+
+Regions clipped(const Paths& subject, const Paths& clip, ClipType type, PolyFillType rule,
+                const grid::Grid& on_grid) {
+    Clipper clipper;
+    clipper.AddPaths(subject, ClipperLib::ptSubject, true);
+    clipper.AddPaths(clip, ClipperLib::ptClip, true);
+    PolyTree tree;
+    clipper.Execute(type, tree, rule, rule);
+    return grid::regions_of(tree, on_grid);
+}
+
+Regions combined(const Regions& a, const Regions& b, ClipType type) {
+    const grid::Grid on_grid = grid::fitted_to(united(bounds(a), bounds(b)));
+    Paths subject, clip;
+    grid::add(subject, on_grid, a);
+    grid::add(clip, on_grid, b);
+    return clipped(subject, clip, type, ClipperLib::pftNonZero, on_grid);
+}
+
+bool is_finite(const Polygon& polygon) {
+    return std::ranges::all_of(polygon, [](Point p) { return strandline::is_finite(p); });
+}
+
+}  // namespace
+
+Regions resolved(const std::vector<Polygon>& outlines, FillRule rule) {
+    Box box;
+    for (const Polygon& outline : outlines)
+        if (is_finite(outline)) box = united(box, bounds(outline));
+    const grid::Grid on_grid = grid::fitted_to(box);
+    Paths subject;
+    for (const Polygon& outline : outlines)
+        if (is_finite(outline) && outline.size() >= 3) subject.push_back(grid::on(on_grid, outline));
+    return clipped(subject, {}, ClipperLib::ctUnion,
+                   rule == FillRule::even_odd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero, on_grid);
+}
+
+Regions united(const Regions& a, const Regions& b) { return combined(a, b, ClipperLib::ctUnion); }
+Regions intersected(const Regions& a, const Regions& b) { return combined(a, b, ClipperLib::ctIntersection); }
+Regions subtracted(const Regions& from, const Regions& what) {
+    return combined(from, what, ClipperLib::ctDifference);
+}
+
+Halves cut(const Regions& regions, Point a, Point b) {
+    const Box box = bounds(regions);
+    const Point along = normalized(b - a);
+    if (box.empty() || length(along) == 0) return {regions, {}};
+    // A square on the left of the line, large enough to hold whatever of the box lies there.
+    const Point middle = between(box.low, box.high, 0.5);
+    const double reach =
+        1.01 * distance(box.low, box.high);  // a little more than any point is from the middle
+    const double offset = std::clamp(cross(along, middle - a), -reach, reach);
+    const Point foot = middle - offset * left_normal(along), far = 2 * reach * left_normal(along);
+    const Polygon left{foot - reach * along, foot + reach * along, foot + reach * along + far,
+                       foot - reach * along + far};
+    const grid::Grid on_grid = grid::fitted_to(united(box, bounds(left)));
+    Paths subject;
+    grid::add(subject, on_grid, regions);
+    const Paths clip{grid::on(on_grid, left)};
+    return {clipped(subject, clip, ClipperLib::ctIntersection, ClipperLib::pftNonZero, on_grid),
+            clipped(subject, clip, ClipperLib::ctDifference, ClipperLib::pftNonZero, on_grid)};
+}
+
+double area(const Regions& regions) {
+    double sum = 0;
+    for (const Region& region : regions) sum += area(region);
+    return sum;
+}
+
+Box bounds(const Regions& regions) {
+    Box box;
+    for (const Region& region : regions) box = united(box, bounds(region));
+    return box;
+}
+
+bool contains(const Regions& regions, Point p) {
+    return std::ranges::any_of(regions, [&](const Region& region) { return contains(region, p); });
+}
+
+}  // namespace strandline

@@ -1,0 +1,69 @@
+#pragma once
+// The tour on true cost: which stroke comes when, where it is entered and in which sense, and what is driven
+// between. The only room that sees tour, drive and connect together. See docs/order.md.
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/outcome/outcome.hpp"
+#include "path/connect/connect.hpp"
+#include "path/drive/drive.hpp"
+#include "path/stroke/stroke.hpp"
+#include "path/tour/tour.hpp"
+
+namespace strandline::order {
+
+/// One element's strokes and what a person asked of them. Closed single strokes are entered at any node; open
+/// ones at either end; the strokes of a fill keep their order and direction.
+struct Group {
+    StrokeGroup work;
+    std::string name;          ///< for messages
+    std::optional<int> entry;  ///< fixed node of a closed stroke, or 0 / last of an open one
+    tour::Direction direction = tour::Direction::any;
+    tour::Sense sense = tour::Sense::any;
+};
+/// Ties node `node_a` of group a to node `node_b` of group b: they are driven one after the other there.
+struct Tie {
+    int a = 0, node_a = 0, b = 0, node_b = 0;
+};
+struct Job {
+    std::vector<Group> groups;
+    std::vector<std::pair<int, int>> before;  ///< first group is finished before the second begins
+    std::vector<Tie> ties;
+    std::optional<Point> start;  ///< the drive begins near here
+};
+struct Options {
+    tour::Options tour;
+    drive::Options drive;
+    connect::Options connect;
+    double min_gap = 0.02;  ///< metres: nearer strokes are joined directly
+};
+
+/// What is driven between two strokes of the answer.
+struct Connection {
+    int from = -1, to = -1;
+    double turn_before = 0, turn_after = 0;
+    Curve curve;
+};
+struct Ordered {
+    std::vector<Stroke> strokes;  ///< in driving order
+    std::vector<Entry> entries;   ///< one per stroke
+    std::vector<Leg> legs;        ///< end to end
+    std::vector<Connection> connections;
+    double straight = 0;  ///< m, rake centre, from stroke end to stroke start
+    double dubins = 0;    ///< m, robot pose to robot pose where strokes are not joined directly
+    int direct = 0;       ///< gaps joined directly
+    int exact = 0, rounded = 0, loops = 0, pivots = 0;
+    std::vector<drive::Span> undrivable;
+    tour::Tour tour;
+    Warnings warnings;
+};
+
+/// Order by straight rake-up length (tour), then entries and senses along that order by Dubins length between
+/// robot poses (exact, dynamic programming), then every stroke driven and connected. Error: contradictory
+/// wishes, by name.
+Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& options,
+                         const Progress& progress = {});
+
+}  // namespace strandline::order

@@ -1,0 +1,15 @@
+#pragma once
+// Entries and senses along a fixed order.
+#include "path/order/order.hpp"
+
+namespace strandline::order {
+
+/// Chooses again, for a fixed order of groups, at which node and in which sense each is entered, so that the
+/// sum of Dubins lengths between robot poses is least among the candidates (both directions of open lines, at
+/// most `most_candidates` nodes of closed ones in both senses). Fixed entries, directions, senses and ties
+/// are kept. The poses are those of a robot straight in line with the rake path's end. Exact by dynamic
+/// programming: O(groups x candidates^2).
+std::vector<tour::Step> with_driven_senses(const Job& job, const std::vector<tour::Step>& steps,
+                                           const Robot& robot);
+
+}  // namespace strandline::order

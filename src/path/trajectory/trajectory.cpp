@@ -1,0 +1,189 @@
+#include "path/trajectory/trajectory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "path/trajectory/speeds.hpp"
+
+namespace strandline::trajectory {
+namespace {
+
+// Curvature that differs less than this between two legs is the same number after rounding, not a jump.
+constexpr double same_curvature = 1e-6;
+// Radians between samples of a turn on the spot.
+constexpr double pivot_step = 0.1;
+
+/// A part of a leg without a jump of curvature inside.
+struct Part {
+    const Leg* leg;
+    std::vector<RobotState> states;  ///< evenly spaced; s from 0
+};
+
+std::vector<RobotState> evenly(const Leg& leg, double from, double to, double step) {
+    std::vector<RobotState> states;
+    // At least two intervals: between two stands a single one would have no speed at either end.
+    const int parts = std::max(2, static_cast<int>(std::ceil((to - from) / step - 1e-9)));
+    if (!leg.curve.pieces.empty()) {
+        for (const CurvePoint& p : sampled(leg.curve, step, parts + 1))
+            states.push_back({p.s, p.pose, p.curvature});
+        return states;
+    }
+    for (int i = 0; i <= parts; ++i) {
+        RobotState state = state_at(leg.path, from + (to - from) * i / parts);
+        state.s -= from;
+        states.push_back(state);
+    }
+    return states;
+}
+
+/// Cuts a leg where its curvature jumps. The states next to a jump carry the curvature of their own side.
+std::vector<Part> parts_of(const Leg& leg, double step) {
+    std::vector<Part> parts;
+    if (!leg.curve.pieces.empty() || leg.path.empty()) {
+        parts.push_back({&leg, evenly(leg, 0, length(leg.curve), step)});
+        return parts;
+    }
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i <= leg.path.size(); ++i) {
+        const bool last = i == leg.path.size();
+        if (!last && leg.path[i].s > leg.path[i - 1].s) continue;
+        if (i - begin >= 2) {
+            Leg piece{leg.motion,
+                      leg.stroke,
+                      {leg.path.begin() + static_cast<std::ptrdiff_t>(begin),
+                       leg.path.begin() + static_cast<std::ptrdiff_t>(i)},
+                      {}};
+            const double from = piece.path.front().s;
+            parts.push_back({&leg, evenly(piece, from, piece.path.back().s, step)});
+        }
+        begin = i;
+    }
+    return parts;
+}
+
+/// Turning on the spot by `turn` takes a trapezoid of turn rate; the samples are spaced in angle.
+void add_pivot(std::vector<Sample>& samples, const Leg& leg, const Robot& robot, double& t) {
+    const RobotState& from = leg.path.front();
+    const double turn = wrap_angle(leg.path.back().pose.heading - from.pose.heading);
+    const int parts = std::max(2, static_cast<int>(std::ceil(std::abs(turn) / pivot_step)));
+    const double part = std::abs(turn) / parts;
+    const auto rate_at = [&](int i) {
+        const double done = i * part, left = std::abs(turn) - done;
+        return std::min(robot.turn_rate, std::sqrt(2 * robot.turn_acceleration * std::min(done, left)));
+    };
+    for (int i = 0; i < parts; ++i) {
+        Sample sample;
+        sample.t = t;
+        sample.pose = {from.pose.at, wrap_angle(from.pose.heading + turn * i / parts)};
+        sample.turn_rate = std::copysign(rate_at(i), turn);
+        sample.rake = rake_at(robot, sample.pose);
+        sample.motion = Motion::pivot;
+        samples.push_back(sample);
+        t += 2 * part / (rate_at(i) + rate_at(i + 1));
+    }
+}
+
+/// Gathers parts until the robot must stand, times them, and goes on. `stood_` is where it stands now:
+/// whoever comes next writes the sample there (a run its first, a pivot its first, the end the last), so that
+/// no instant is written twice.
+class Timer {
+  public:
+    Timer(const std::vector<Stroke>& strokes, const Robot& robot, const Options& options)
+        : strokes_(strokes), robot_(robot), options_(options) {}
+
+    void add(const Leg& leg) {
+        if (leg.motion == Motion::pivot) {
+            if (leg.path.empty()) return;
+            stand();
+            add_pivot(samples_, leg, robot_, t_);
+            stood_ = leg.path.back();
+            return;
+        }
+        for (Part& part : parts_of(leg, options_.step)) {
+            if (part.states.back().s <= 0) continue;
+            if (!run_.empty() && std::abs(run_.back().states.back().curvature -
+                                          part.states.front().curvature) > same_curvature)
+                dwell();
+            run_.push_back(std::move(part));
+        }
+    }
+
+    std::vector<Sample> finished() {
+        stand();
+        if (stood_) samples_.push_back(sample_at(*stood_, Motion::connect, -1, 0));
+        return std::move(samples_);
+    }
+
+  private:
+    Sample sample_at(const RobotState& state, Motion motion, int stroke, double speed) const {
+        Sample sample;
+        sample.t = t_;
+        sample.pose = {state.pose.at, wrap_angle(state.pose.heading)};
+        sample.curvature = state.curvature;
+        sample.speed = speed;
+        sample.turn_rate = speed * state.curvature;
+        sample.rake = rake_at(robot_, state.pose);
+        sample.motion = motion;
+        if (motion == Motion::draw) {
+            sample.stroke = stroke;
+            sample.mask = pin_mask(robot_, strokes_[static_cast<std::size_t>(stroke)].pins);
+        }
+        return sample;
+    }
+
+    /// Stands with the pins as they are while the curvature jumps.
+    void dwell() {
+        const Leg& leg = *run_.back().leg;
+        stand();
+        samples_.push_back(sample_at(*stood_, leg.motion, leg.stroke, 0));
+        t_ += options_.dwell;
+    }
+
+    /// Times everything driven since the last stand and ends in a stand.
+    void stand() {
+        if (run_.empty()) return;
+        Course run;
+        double offset = 0;
+        for (const Part& part : run_) {
+            const double limit = part.leg->motion == Motion::draw ? robot_.speed : robot_.travel_speed;
+            for (std::size_t i = run.s.empty() ? 0 : 1; i < part.states.size(); ++i) {
+                run.s.push_back(offset + part.states[i].s);
+                run.curvature.push_back(part.states[i].curvature);
+                if (i > 0) run.limit.push_back(limit);
+            }
+            offset += part.states.back().s;
+        }
+        const std::vector<double> speed = speeds_along(run, robot_);
+        std::size_t at = 0;
+        for (const Part& part : run_) {
+            for (std::size_t i = 0; i + 1 < part.states.size(); ++i, ++at) {
+                samples_.push_back(sample_at(part.states[i], part.leg->motion, part.leg->stroke, speed[at]));
+                t_ += 2 * (run.s[at + 1] - run.s[at]) / (speed[at] + speed[at + 1]);
+            }
+        }
+        stood_ = run_.back().states.back();
+        run_.clear();
+    }
+
+    const std::vector<Stroke>& strokes_;
+    const Robot& robot_;
+    const Options options_;
+    std::vector<Part> run_;
+    std::vector<Sample> samples_;
+    std::optional<RobotState> stood_;
+    double t_ = 0;
+};
+
+}  // namespace
+
+std::vector<Sample> timed(const std::vector<Leg>& legs, const std::vector<Stroke>& strokes,
+                          const Robot& robot, const Options& options) {
+    Timer timer(strokes, robot, options);
+    for (const Leg& leg : legs) timer.add(leg);
+    return timer.finished();
+}
+
+}  // namespace strandline::trajectory

@@ -1,0 +1,476 @@
+// The table of settings: one row a field of Options. Everything that names, parses or prints a setting reads
+// this table.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "base/units/units.hpp"
+#include "plan/model/model.hpp"
+
+namespace strandline {
+namespace {
+
+using Kind = Setting::Kind;
+using Field = std::variant<double*, int*, bool*, std::string*>;
+
+// Nothing that drives is larger than this; it also keeps squares and sums far from overflow.
+constexpr double far = 100'000;
+
+std::vector<Setting> make_table() {
+    return {
+        {"place.mode",
+         "how the drawing is put on the canvas",
+         Kind::choice,
+         0,
+         0,
+         {"fit", "actual", "width", "scale"},
+         "",
+         [](Options& o) -> Field { return &o.place.mode; }},
+        {"place.width",
+         "width of the drawing on the ground, for mode width",
+         Kind::length,
+         1e-4,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.place.width; }},
+        {"place.scale",
+         "N of the scale 1:N against the SVG's own size, for mode scale",
+         Kind::number,
+         1e-6,
+         1e9,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.place.scale_denominator; }},
+        {"place.positioned",
+         "put the drawing's lower left corner at place.x, place.y",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.place.positioned; }},
+        {"place.x",
+         "left edge of the drawing on the canvas",
+         Kind::length,
+         -far,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.place.x; }},
+        {"place.y",
+         "lower edge of the drawing on the canvas",
+         Kind::length,
+         -far,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.place.y; }},
+        {"place.rotate",
+         "turn the drawing counter-clockwise",
+         Kind::angle,
+         -1000,
+         1000,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.place.rotate; }},
+        {"place.mirror",
+         "swap left and right",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.place.mirror; }},
+        {"canvas.width",
+         "width of the canvas",
+         Kind::length,
+         0,
+         far,
+         {},
+         "--field_width",
+         [](Options& o) -> Field { return &o.canvas.width; }},
+        {"canvas.height",
+         "height of the canvas",
+         Kind::length,
+         0,
+         far,
+         {},
+         "--field_height",
+         [](Options& o) -> Field { return &o.canvas.height; }},
+        {"canvas.margin",
+         "kept free round the drawing when it is fitted",
+         Kind::length,
+         0,
+         far,
+         {},
+         "--field_offset",
+         [](Options& o) -> Field { return &o.canvas.margin; }},
+        {"canvas.run_out",
+         "how far round the canvas the robot may drive; negative: 2 R + footprint",
+         Kind::length,
+         -1,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.canvas.run_out; }},
+        {"drawing.tolerance",
+         "largest distance between the drawing and the planned rake path",
+         Kind::length,
+         1e-6,
+         1,
+         {},
+         "--angle_step",
+         [](Options& o) -> Field { return &o.drawing.tolerance; }},
+        {"drawing.join_tolerance",
+         "line ends nearer than this are one point",
+         Kind::length,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.drawing.join_tolerance; }},
+        {"drawing.min_length",
+         "shorter lines are dropped and counted",
+         Kind::length,
+         0,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.drawing.min_length; }},
+        {"drawing.ink_threshold",
+         "paint brighter than this (luminance 0 to 1) is bare sand",
+         Kind::number,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.drawing.ink_threshold; }},
+        {"fill.style",
+         "how areas are raked",
+         Kind::choice,
+         0,
+         0,
+         {"spiral", "zigzag"},
+         "--fill_method",
+         [](Options& o) -> Field { return &o.fill.style; }},
+        {"fill.spacing",
+         "between neighbouring passes; 0: as wide as the rake",
+         Kind::length,
+         0,
+         far,
+         {},
+         "--line_distance",
+         [](Options& o) -> Field { return &o.fill.spacing; }},
+        {"fill.direction",
+         "of zigzag lines",
+         Kind::angle,
+         -1000,
+         1000,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.fill.direction; }},
+        {"fill.best_direction",
+         "choose the zigzag direction with the least passes",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.fill.best_direction; }},
+        {"fill.partition",
+         "how a zigzag area is cut into parts",
+         Kind::choice,
+         0,
+         0,
+         {"none", "monotone", "optimal-convex"},
+         "--segmentation_on",
+         [](Options& o) -> Field { return &o.fill.partition; }},
+        {"fill.part_inset",
+         "each part of a partition shrinks by this",
+         Kind::length,
+         0,
+         far,
+         {},
+         "--segment_offset",
+         [](Options& o) -> Field { return &o.fill.part_inset; }},
+        {"fill.min_area",
+         "smaller areas and parts, in square metres, are dropped and counted",
+         Kind::number,
+         0,
+         far,
+         {},
+         "--area_deletion_threshold",
+         [](Options& o) -> Field { return &o.fill.min_area; }},
+        {"fill.border",
+         "a pass along the outline, driven last",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.fill.border; }},
+        {"tour.inner_first",
+         "what lies inside an outline is drawn before the outline",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "--no_tree_ordering",
+         [](Options& o) -> Field { return &o.tour.inner_first; }},
+        {"tour.has_start",
+         "begin near tour.start_x, tour.start_y",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.tour.has_start; }},
+        {"tour.start_x",
+         "start point",
+         Kind::length,
+         -far,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.tour.start_x; }},
+        {"tour.start_y",
+         "start point",
+         Kind::length,
+         -far,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.tour.start_y; }},
+        {"tour.seed",
+         "of the search for the order",
+         Kind::integer,
+         0,
+         2'000'000'000,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.tour.seed; }},
+        {"tour.moves",
+         "budget of the search; 0: from the size",
+         Kind::integer,
+         0,
+         2'000'000'000,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.tour.moves; }},
+        {"tour.time_limit",
+         "stop the search after this; 0: no limit. A plan made so may differ from run to run",
+         Kind::duration,
+         0,
+         1e6,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.tour.time_limit; }},
+        {"corner.threshold",
+         "corners that turn this much or more are treated as corner.above says, others as "
+         "corner.below",
+         Kind::angle,
+         0,
+         pi,
+         {},
+         "--threshold_round_angle",
+         [](Options& o) -> Field { return &o.corner.threshold; }},
+        {"corner.radius",
+         "of corners rounded inside",
+         Kind::length,
+         0,
+         far,
+         {},
+         "--round_radius",
+         [](Options& o) -> Field { return &o.corner.radius; }},
+        {"corner.below",
+         "corners under the threshold: driven exactly, or rounded inside",
+         Kind::choice,
+         0,
+         0,
+         {"exact", "round"},
+         "",
+         [](Options& o) -> Field { return &o.corner.below; }},
+        {"corner.above",
+         "corners over the threshold: a loop outside, stop and turn, or rounded inside",
+         Kind::choice,
+         0,
+         0,
+         {"loop", "pivot", "round"},
+         "--stop_go_outer",
+         [](Options& o) -> Field { return &o.corner.above; }},
+        {"connect.style",
+         "curves between strokes: bounded in curvature and sharpness, or straight with turns on "
+         "the spot",
+         Kind::choice,
+         0,
+         0,
+         {"bounded", "straight"},
+         "",
+         [](Options& o) -> Field { return &o.connect.style; }},
+        {"connect.min_length",
+         "gaps shorter than this are joined directly",
+         Kind::length,
+         0,
+         1,
+         {},
+         "--round_connection_threshold",
+         [](Options& o) -> Field { return &o.connect.min_length; }},
+        {"trajectory.step",
+         "between samples of the robot path",
+         Kind::length,
+         0.0001,
+         0.05,
+         {},
+         "--max_interp_distance",
+         [](Options& o) -> Field { return &o.trajectory.step; }},
+    };
+}
+
+const Setting* find(const std::string& key) {
+    const auto& table = settings();
+    const auto at = std::ranges::find(table, key, &Setting::key);
+    return at == table.end() ? nullptr : &*at;
+}
+
+/// Levenshtein distance, for "did you mean".
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t above = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
+            diagonal = above;
+        }
+    }
+    return row.back();
+}
+
+Outcome<double> parse(const Setting& setting, const std::string& value) {
+    switch (setting.kind) {
+        case Kind::length:
+            return parse_length(value, setting.key);
+        case Kind::angle:
+            return parse_angle(value, setting.key);
+        case Kind::duration:
+            return parse_duration(value, setting.key);
+        default:
+            return parse_number(value, setting.key);
+    }
+}
+
+std::string range_text(const Setting& setting) {
+    // A length of a field may not be zero: a canvas without extent holds nothing. Zero is named where it is
+    // used.
+    return fmt::format("use {} to {}{}", setting.low, setting.high,
+                       setting.kind == Kind::length     ? " m"
+                       : setting.kind == Kind::angle    ? " rad"
+                       : setting.kind == Kind::duration ? " s"
+                                                        : "");
+}
+
+Outcome<bool> parse_flag(const std::string& key, const std::string& value) {
+    if (value == "true" || value == "on" || value == "yes" || value == "1") return true;
+    if (value == "false" || value == "off" || value == "no" || value == "0") return false;
+    return fail(key, fmt::format("\"{}\" is neither on nor off", value), "use on or off");
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
+const std::vector<Setting>& settings() {
+    static const std::vector<Setting> table = make_table();
+    return table;
+}
+
+std::string name_of(Setting::Kind kind) {
+    switch (kind) {
+        case Kind::length:
+            return "length";
+        case Kind::angle:
+            return "angle";
+        case Kind::duration:
+            return "duration";
+        case Kind::number:
+            return "number";
+        case Kind::integer:
+            return "whole number";
+        case Kind::flag:
+            return "on or off";
+        case Kind::choice:
+            return "choice";
+    }
+    return {};
+}
+
+Outcome<void> set(Options& options, const std::string& key, const std::string& value) {
+    const Setting* setting = find(key);
+    if (!setting) {
+        const auto& table = settings();
+        const auto nearest =
+            std::ranges::min_element(table, {}, [&](const Setting& s) { return edit_distance(s.key, key); });
+        return fail(key, "there is no such setting", fmt::format("did you mean {}?", nearest->key));
+    }
+    const Field field = setting->field(options);
+    if (setting->kind == Kind::choice) {
+        if (std::ranges::find(setting->choices, value) == setting->choices.end())
+            return fail(key, fmt::format("\"{}\" is not a choice", value),
+                        "use one of " + joined(setting->choices));
+        *std::get<std::string*>(field) = value;
+        return {};
+    }
+    if (setting->kind == Kind::flag) {
+        const auto flag = parse_flag(key, value);
+        if (!flag) return tl::unexpected(flag.error());
+        *std::get<bool*>(field) = *flag;
+        return {};
+    }
+    const auto number = parse(*setting, value);
+    if (!number) return tl::unexpected(number.error());
+    if (*number < setting->low || *number > setting->high)
+        return fail(key, fmt::format("{} is out of range", value), range_text(*setting));
+    if (setting->kind == Kind::integer) {
+        if (*number != std::floor(*number)) return fail(key, fmt::format("{} is not a whole number", value));
+        *std::get<int*>(field) = static_cast<int>(*number);
+    } else {
+        *std::get<double*>(field) = *number;
+    }
+    return {};
+}
+
+std::string get(const Options& options, const std::string& key) {
+    const Setting* setting = find(key);
+    if (!setting) return {};
+    Options copy = options;  // the table's accessors give writable fields
+    return std::visit(
+        [&](auto* field) -> std::string {
+            using Value = std::remove_pointer_t<decltype(field)>;
+            if constexpr (std::is_same_v<Value, std::string>)
+                return *field;
+            else if constexpr (std::is_same_v<Value, bool>)
+                return *field ? "on" : "off";
+            else if constexpr (std::is_same_v<Value, int>)
+                return fmt::format("{}", *field);
+            else
+                return number_text(*field) + (setting->kind == Kind::angle ? "rad" : "");
+        },
+        setting->field(copy));
+}
+
+Box field_of(const Plan& plan) {
+    const Robot& robot = plan.robot;
+    const double reach = std::hypot(std::max(robot.front, robot.back), robot.half_width);
+    const double run_out =
+        plan.options.canvas.run_out >= 0 ? plan.options.canvas.run_out : 2 * robot.min_radius + reach;
+    return grown({{0, 0}, {plan.drawing.canvas.width, plan.drawing.canvas.height}}, run_out);
+}
+
+}  // namespace strandline

@@ -1,0 +1,149 @@
+#include "plan/pipeline/pipeline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "path/trajectory/trajectory.hpp"
+#include "plan/pipeline/edits.hpp"
+#include "plan/pipeline/strokes.hpp"
+
+namespace strandline {
+namespace {
+
+DrawingOptions drawing_options(const Options& options) {
+    const Options::Fit& place = options.place;
+    DrawingOptions o;
+    o.canvas = {options.canvas.width, options.canvas.height};
+    o.margin = options.canvas.margin;
+    o.place = place.mode == "actual"  ? Place::actual
+              : place.mode == "width" ? Place::width
+              : place.mode == "scale" ? Place::scale
+                                      : Place::fit;
+    o.place_width = place.width;
+    o.scale_denominator = place.scale_denominator;
+    if (place.positioned) o.position = Point{place.x, place.y};
+    o.rotate = place.rotate;
+    o.mirror = place.mirror;
+    o.tolerance = options.drawing.tolerance;
+    o.join_tolerance = options.drawing.join_tolerance;
+    o.min_length = options.drawing.min_length;
+    o.min_area = options.fill.min_area;
+    o.ink_threshold = options.drawing.ink_threshold;
+    return o;
+}
+
+order::Options order_options(const Options& options, const Robot& robot) {
+    order::Options o;
+    o.tour.seed = static_cast<std::uint64_t>(options.tour.seed);
+    o.tour.moves = static_cast<std::uint64_t>(options.tour.moves);
+    o.drive.corner_threshold = options.corner.threshold;
+    o.drive.corner_radius = options.corner.radius;
+    o.drive.below = options.corner.below == "round" ? drive::Below::round : drive::Below::exact;
+    o.drive.above = options.corner.above == "pivot"   ? drive::Above::pivot
+                    : options.corner.above == "round" ? drive::Above::round
+                                                      : drive::Above::loop;
+    const bool straight = options.connect.style == "straight" || robot.min_radius <= 0;
+    o.connect.style = straight ? connect::Style::straight : connect::Style::bounded;
+    o.connect.limits = connect::limits_of(robot);
+    o.connect.pivot = robot.can_pivot;
+    o.min_gap = options.connect.min_length;
+    return o;
+}
+
+void add(Warnings& to, const Warnings& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+/// What the finished trajectory says of itself.
+void measure(Figures& figures, const Plan& plan) {
+    for (std::size_t i = 1; i < plan.samples.size(); ++i) {
+        const Sample &a = plan.samples[i - 1], &b = plan.samples[i];
+        const double driven = distance(a.pose.at, b.pose.at);
+        const double bend = std::max(std::abs(a.curvature), std::abs(b.curvature));
+        switch (a.motion) {
+            case Motion::draw:
+                figures.drawn += distance(a.rake, b.rake);
+                figures.tightest_drawn = std::max(figures.tightest_drawn, std::abs(a.curvature));
+                break;
+            case Motion::loop:
+                figures.loops_driven += driven;
+                figures.tightest_up = std::max(figures.tightest_up, bend);
+                break;
+            case Motion::connect:
+                figures.up_driven += driven;
+                figures.tightest_up = std::max(figures.tightest_up, bend);
+                break;
+            case Motion::lead:
+                figures.up_driven += driven;
+                break;
+            case Motion::pivot:
+                break;
+        }
+    }
+    figures.time = plan.samples.empty() ? 0 : plan.samples.back().t;
+}
+
+void take_account(Plan& plan, const order::Ordered& ordered) {
+    Figures& f = plan.figures;
+    f.elements = static_cast<int>(plan.drawing.elements.size());
+    f.regions = static_cast<int>(std::ranges::count_if(plan.drawing.elements, is_region));
+    f.lines = f.elements - f.regions;
+    f.strokes = static_cast<int>(ordered.strokes.size());
+    f.up_straight = ordered.straight;
+    f.up_dubins = ordered.dubins;
+    f.corners_exact = ordered.exact;
+    f.corners_rounded = ordered.rounded;
+    f.corners_looped = ordered.loops;
+    f.corners_pivoted = ordered.pivots;
+    f.direct = ordered.direct;
+    f.tour_proven = ordered.tour.proven_optimal;
+    f.reproducible = ordered.tour.reproducible;
+    for (const drive::Span& span : ordered.undrivable)
+        plan.undrivable.push_back({"the rake leaves its path, metres", span.at, span.length});
+    for (const order::Connection& c : ordered.connections)
+        plan.connections.push_back({c.from, c.to, c.turn_before, c.turn_after, c.curve});
+    measure(f, plan);
+}
+
+}  // namespace
+
+Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
+                        const std::vector<Edit>& edits, const Progress& progress) {
+    const auto document = svg::read(source.svg, {}, progress);
+    if (!document) return tl::unexpected(document.error());
+    auto drawing = make_drawing(*document, robot, drawing_options(options), progress);
+    if (!drawing) return tl::unexpected(drawing.error());
+
+    pipeline::Strokes strokes = pipeline::strokes_of(*drawing, robot, options, progress);
+    if (strokes.groups.empty())
+        return fail(source.title, "nothing of the drawing can be raked at this size",
+                    "make the canvas larger, or choose a narrower rake");
+    order::Job job{std::move(strokes.groups), {}, {}, drawing->start};
+    if (options.tour.has_start) job.start = Point{options.tour.start_x, options.tour.start_y};
+    if (options.tour.inner_first) job.before = pipeline::inner_before_outer(job.groups, *drawing);
+
+    Plan plan;
+    plan.title = source.title;
+    plan.robot = robot;
+    plan.options = options;
+    plan.edits = edits;
+    plan.idle_edits = pipeline::apply_edits(job, edits);
+    auto ordered = order::ordered(job, robot, order_options(options, robot), progress);
+    if (!ordered) return tl::unexpected(ordered.error());
+
+    plan.samples =
+        trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});
+    plan.drawing = std::move(*drawing);
+    plan.figures.fill_area = strokes.fill_area;
+    plan.figures.fill_swept = strokes.fill_swept;
+    plan.figures.fallbacks = strokes.fallbacks;
+    take_account(plan, *ordered);
+    add(plan.warnings, document->warnings);
+    add(plan.warnings, plan.drawing.warnings);
+    add(plan.warnings, strokes.warnings);
+    add(plan.warnings, ordered->warnings);
+    plan.strokes = std::move(ordered->strokes);
+    plan.order = std::move(ordered->entries);
+    return plan;
+}
+
+}  // namespace strandline

@@ -1,0 +1,26 @@
+#pragma once
+// Drawing, options, edits -> plan. Owns no search: it calls the rooms one after the other and keeps their
+// accounts.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/outcome/outcome.hpp"
+#include "plan/model/model.hpp"
+
+namespace strandline {
+
+/// What a plan is made from.
+struct Source {
+    std::string_view svg;  ///< the file's text
+    std::string title;     ///< its name, for people
+};
+
+/// plan = f(drawing, options, edits). Deterministic: the same input, options and seed give the same plan bit
+/// for bit, unless options.tour.time_limit or the user stopped the search (figures.reproducible says so).
+/// Error: input at fault (place, reason, remedy); contradictory edits by name. Edits whose place is gone are
+/// kept and listed as idle.
+Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
+                        const std::vector<Edit>& edits = {}, const Progress& progress = {});
+
+}  // namespace strandline

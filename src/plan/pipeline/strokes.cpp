@@ -1,0 +1,146 @@
+#include "plan/pipeline/strokes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace strandline::pipeline {
+namespace {
+
+// A closed line can be entered at its drawn nodes and at further ones this far apart, but at no more than
+// `most_nodes`.
+constexpr double node_spacing = 0.25;
+constexpr double most_nodes = 64;
+
+double length_of(const std::vector<Curve>& curves) {
+    double sum = 0;
+    for (const Curve& curve : curves) sum += length(curve);
+    return sum;
+}
+
+Point point_along(const std::vector<Curve>& curves, double s) {
+    for (const Curve& curve : curves) {
+        const double l = length(curve);
+        if (s <= l) return point_at(curve, s).pose.at;
+        s -= l;
+    }
+    return end_pose(curves.back()).at;
+}
+
+/// Arc lengths of the drawn nodes along the fitted curves: their share of the drawn path, drawn onto a corner
+/// of the fit when one is near (the two lengths differ by little more than the tolerance).
+std::vector<double> drawn_nodes(const Path& path, const std::vector<Curve>& curves, double tolerance) {
+    const double drawn = length(path), fitted = length_of(curves);
+    std::vector<double> corners{0};
+    for (const Curve& curve : curves) corners.push_back(corners.back() + length(curve));
+    std::vector<double> nodes{0};
+    double so_far = 0;
+    Point from = path.start;
+    for (const Segment& segment : path.segments) {
+        so_far += length(Path{from, {segment}, false});
+        from = end_of(segment);
+        double s = fitted * std::min(1.0, so_far / drawn);
+        const auto corner = std::ranges::min_element(corners, {}, [&](double c) { return std::abs(c - s); });
+        if (std::abs(*corner - s) < 4 * tolerance + 1e-3 * fitted &&
+            distance(point_along(curves, *corner), from) < 4 * tolerance)
+            s = *corner;
+        nodes.push_back(s);
+    }
+    return nodes;
+}
+
+std::vector<Node> nodes_of(const LineElement& line, const std::vector<Curve>& curves, double tolerance) {
+    const double total = length_of(curves);
+    std::vector<Node> nodes;
+    if (!line.path.closed)
+        return {{0, curves.front().start.at, 0},
+                {total, end_pose(curves.back()).at, static_cast<int>(line.path.segments.size())}};
+    constexpr double same_place = 1e-6;
+    const double spacing = std::max(node_spacing, total / most_nodes);
+    const std::vector<double> drawn = drawn_nodes(line.path, curves, tolerance);
+    double last = 0;
+    const auto fill_up_to = [&](double s) {
+        const double parts = std::ceil((s - last) / spacing - 1e-9);
+        for (double k = 1; k < parts; ++k) {
+            const double at = last + (s - last) * k / parts;
+            nodes.push_back({at, point_along(curves, at), -1});
+        }
+    };
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (i > 0 && drawn[i] <= last + same_place) continue;
+        if (i > 0) fill_up_to(drawn[i]);
+        if (drawn[i] >= total - same_place) break;
+        nodes.push_back({drawn[i], point_along(curves, drawn[i]), static_cast<int>(i)});
+        last = drawn[i];
+    }
+    return nodes;
+}
+
+fill::Options fill_options(const Options& options, const Robot& robot) {
+    const Options::FillArea& f = options.fill;
+    fill::Options o;
+    o.style = f.style == "zigzag" ? fill::Style::zigzag : fill::Style::spiral;
+    o.width = robot.rake_width();
+    o.spacing = f.spacing > 0 ? std::min(f.spacing, o.width) : o.width;
+    if (!f.best_direction) o.direction = f.direction;
+    o.partition = f.partition == "none"             ? fill::Partition::none
+                  : f.partition == "optimal-convex" ? fill::Partition::optimal_convex
+                                                    : fill::Partition::monotone;
+    o.part_inset = f.part_inset;
+    o.min_area = f.min_area;
+    o.border = f.border;
+    o.tolerance = options.drawing.tolerance;
+    // The rake can follow radii above its offset; a tenth to spare keeps the robot's own turning moderate.
+    o.turn_radius = robot.min_radius > 0 ? 1.1 * robot.rake_offset : 0;
+    return o;
+}
+
+}  // namespace
+
+Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& options,
+                   const Progress& progress) {
+    Strokes strokes;
+    const fill::Options filling = fill_options(options, robot);
+    if (options.fill.spacing > filling.width)
+        strokes.warnings.push_back({"fill.spacing", fmt::format("{} m is wider than the rake: {} m is used",
+                                                                options.fill.spacing, filling.width)});
+    for (std::size_t i = 0; i < drawing.elements.size(); ++i) {
+        progress.report("filling", static_cast<double>(i) / static_cast<double>(drawing.elements.size()));
+        const Element& element = drawing.elements[i];
+        const int index = static_cast<int>(i);
+        order::Group group{{index, {}}, element.id, {}, {}, {}};
+        if (const auto* line = std::get_if<LineElement>(&element.what)) {
+            Stroke stroke;
+            stroke.element = index;
+            stroke.rake_path = fitted(line->path, {.tolerance = options.drawing.tolerance});
+            stroke.closed = line->path.closed;
+            stroke.pins = line->pins;
+            if (!stroke.rake_path.empty()) {
+                stroke.nodes = nodes_of(*line, stroke.rake_path, options.drawing.tolerance);
+                group.work.strokes.push_back(std::move(stroke));
+            }
+        } else {
+            fill::Fill filled =
+                fill::fill_region(std::get<RegionElement>(element.what).region, index, element.id, filling);
+            strokes.fill_area += filled.area;
+            strokes.fill_swept += filled.swept;
+            strokes.fallbacks += static_cast<int>(filled.warnings.size());
+            strokes.warnings.insert(strokes.warnings.end(), filled.warnings.begin(), filled.warnings.end());
+            for (Stroke& stroke : filled.strokes) {
+                stroke.pins = robot.pins;
+                group.work.strokes.push_back(std::move(stroke));
+            }
+        }
+        if (group.work.strokes.empty())
+            strokes.warnings.push_back({element.id, "nothing of it can be raked; it is left out"});
+        else
+            strokes.groups.push_back(std::move(group));
+    }
+    progress.report("filling", 1);
+    return strokes;
+}
+
+}  // namespace strandline::pipeline
