@@ -18,14 +18,14 @@ struct Item {
 };
 struct Block {
     std::vector<Item> items;
-    bool runs[2] = {true, true};   ///< as listed; the other way round
+    bool runs[2] = {true, true};  ///< as listed; the other way round
 };
 struct Blocks {
     std::vector<Block> blocks;
-    std::vector<int> block_of, item_of;        ///< by piece
-    std::vector<std::vector<int>> inside;      ///< by group
-    std::vector<int> block_of_group;           ///< -1: the group lies in a single piece
-    std::vector<std::pair<int, int>> edges;    ///< between blocks
+    std::vector<int> block_of, item_of;      ///< by piece
+    std::vector<std::vector<int>> inside;    ///< by group
+    std::vector<int> block_of_group;         ///< -1: the group lies in a single piece
+    std::vector<std::pair<int, int>> edges;  ///< between blocks
 };
 
 /// Where a chain leads out of groups: the group at its front and at its back, -1 for none.
@@ -57,17 +57,23 @@ Outcome<std::vector<Border>> find_borders(const Model& model, std::vector<std::v
             if (group >= 0) {
                 const std::string name = named(problem, members[k].element);
                 if (std::find(closed.begin(), closed.end(), group) != closed.end())
-                    return fail(name, fmt::format("its chain of links leaves group {} and comes back", group), "remove a link");
+                    return fail(name, fmt::format("its chain of links leaves group {} and comes back", group),
+                                "remove a link");
                 closed.push_back(group);
                 const bool whole = k == 0 && end == members.size();
                 if (whole) {
                     if (pieces_in[at(group)] > 1 || members.size() == 1) inside[at(group)].push_back(p);
                 } else if (pieces_in[at(group)] > 1) {
                     if (k != 0 && end != members.size())
-                        return fail(name, fmt::format("its links lead out of group {} both ways, with more of the group to draw", group),
-                                    "remove a link or empty the group");
+                        return fail(
+                            name,
+                            fmt::format(
+                                "its links lead out of group {} both ways, with more of the group to draw",
+                                group),
+                            "remove a link or empty the group");
                     if (++borders_of[at(group)] > 2)
-                        return fail(name, fmt::format("is the third way out of group {}", group), "remove a link");
+                        return fail(name, fmt::format("is the third way out of group {}", group),
+                                    "remove a link");
                     (k == 0 ? borders[at(p)].front : borders[at(p)].back) = group;
                 }
             }
@@ -84,7 +90,7 @@ Outcome<Blocks> build_blocks(const Model& model) {
     const auto borders = find_borders(model, all.inside);
     if (!borders) return tl::unexpected(borders.error());
     const std::size_t groups = all.inside.size();
-    std::vector<std::vector<int>> ways(groups);    // border pieces of each group
+    std::vector<std::vector<int>> ways(groups);  // border pieces of each group
     for (int p = 0; p < model.piece_count(); ++p)
         for (const int g : {(*borders)[at(p)].front, (*borders)[at(p)].back})
             if (g >= 0) ways[at(g)].push_back(p);
@@ -123,7 +129,8 @@ Outcome<Blocks> build_blocks(const Model& model) {
                 all.block_of[at(p)] = b;
                 all.item_of[at(p)] = static_cast<int>(k);
             };
-            if (item.piece >= 0) place(item.piece);
+            if (item.piece >= 0)
+                place(item.piece);
             else {
                 all.block_of_group[at(item.group)] = b;
                 std::for_each(all.inside[at(item.group)].begin(), all.inside[at(item.group)].end(), place);
@@ -137,7 +144,8 @@ Outcome<Blocks> build_blocks(const Model& model) {
         if (!used[at(p)] && (b.front < 0) != (b.back < 0)) add(walk(p, -1));
     }
     for (int g = 0; g < static_cast<int>(groups); ++g)
-        if (all.block_of_group[at(g)] == -1 && ways[at(g)].size() <= 1 && (!all.inside[at(g)].empty() || !ways[at(g)].empty()))
+        if (all.block_of_group[at(g)] == -1 && ways[at(g)].size() <= 1 &&
+            (!all.inside[at(g)].empty() || !ways[at(g)].empty()))
             add(walk(-1, g));
     for (int p = 0; p < model.piece_count(); ++p) {
         if (all.block_of[at(p)] >= 0) continue;
@@ -150,11 +158,13 @@ Outcome<Blocks> build_blocks(const Model& model) {
     return all;
 }
 
-std::string circle_text(const Problem& problem, const std::vector<std::pair<int, int>>& labels, const std::vector<std::size_t>& circle) {
+std::string circle_text(const Problem& problem, const std::vector<std::pair<int, int>>& labels,
+                        const std::vector<std::size_t>& circle) {
     std::string text;
     for (const std::size_t e : circle) {
         const auto [i, j] = labels[e];
-        text += fmt::format("{}{} before {}", text.empty() ? "" : ", ", i < 0 ? fmt::format("group {}", -1 - i) : named(problem, i),
+        text += fmt::format("{}{} before {}", text.empty() ? "" : ", ",
+                            i < 0 ? fmt::format("group {}", -1 - i) : named(problem, i),
                             j < 0 ? fmt::format("group {}", -1 - j) : named(problem, j));
     }
     return text;
@@ -170,7 +180,8 @@ Outcome<void> check_blocks(const Model& model, Blocks& all) {
     const auto run_out = [&](Block& block, bool way, const std::string& why) -> Outcome<void> {
         block.runs[way] = false;
         if (block.runs[0] || block.runs[1]) return {};
-        return fail("", why + " contradicts the other links, groups, directions and orders around it", "drop one of them");
+        return fail("", why + " contradicts the other links, groups, directions and orders around it",
+                    "drop one of them");
     };
     for (const auto& [i, j] : rules.before) {
         const int p = model.piece_of[at(i)], q = model.piece_of[at(j)];
@@ -193,12 +204,13 @@ Outcome<void> check_blocks(const Model& model, Blocks& all) {
             const int direction = model.pieces[at(item.piece)].direction;
             if (direction == 0) continue;
             const bool listed = (direction < 0) == item.backward;
-            const std::string why =
-                fmt::format("the direction of {}", named(problem, model.pieces[at(item.piece)].members.front().element));
+            const std::string why = fmt::format(
+                "the direction of {}", named(problem, model.pieces[at(item.piece)].members.front().element));
             if (const auto left = run_out(block, listed, why); !left) return left;
         }
     if (rules.keep_group_order) {
-        // Where each group is met: its block and item. Groups inside one piece were settled when the model was built.
+        // Where each group is met: its block and item. Groups inside one piece were settled when the model
+        // was built.
         std::vector<std::pair<int, int>> met(rules.group_size.size(), {-1, -1});
         std::vector<int> piece_met(rules.group_size.size(), -1);
         for (std::size_t e = 0; e < rules.group_of.size(); ++e) {
@@ -209,7 +221,8 @@ Outcome<void> check_blocks(const Model& model, Blocks& all) {
         }
         for (std::size_t b = 0; b < all.blocks.size(); ++b)
             for (std::size_t k = 0; k < all.blocks[b].items.size(); ++k)
-                if (const int g = all.blocks[b].items[k].group; g >= 0) met[at(g)] = {static_cast<int>(b), static_cast<int>(k)};
+                if (const int g = all.blocks[b].items[k].group; g >= 0)
+                    met[at(g)] = {static_cast<int>(b), static_cast<int>(k)};
         int last = -1;
         for (int g = 0; g < static_cast<int>(met.size()); ++g) {
             if (met[at(g)].first < 0) continue;
@@ -219,7 +232,9 @@ Outcome<void> check_blocks(const Model& model, Blocks& all) {
                     labels.emplace_back(-1 - last, -1 - g);
                 } else if (met[at(last)].second != met[at(g)].second) {
                     const std::string why = fmt::format("group {} before group {}", last, g);
-                    if (const auto left = run_out(all.blocks[at(met[at(g)].first)], met[at(last)].second < met[at(g)].second, why); !left)
+                    if (const auto left = run_out(all.blocks[at(met[at(g)].first)],
+                                                  met[at(last)].second < met[at(g)].second, why);
+                        !left)
                         return left;
                 }
             }
@@ -227,24 +242,29 @@ Outcome<void> check_blocks(const Model& model, Blocks& all) {
         }
     }
     if (const auto circle = find_circle(model.piece_count(), inner); !circle.empty())
-        return fail("before", circle_text(problem, inner_labels, circle) + ": a circle, given the links", "drop one of them");
+        return fail("before", circle_text(problem, inner_labels, circle) + ": a circle, given the links",
+                    "drop one of them");
     if (const auto circle = find_circle(static_cast<int>(all.blocks.size()), all.edges); !circle.empty())
-        return fail("before", circle_text(problem, labels, circle) + ": a circle, given the links and groups", "drop one of them");
+        return fail("before", circle_text(problem, labels, circle) + ": a circle, given the links and groups",
+                    "drop one of them");
     return {};
 }
 
 /// Nearest neighbour over what is ready.
 class Walk {
   public:
-    Walk(const Model& model, const Blocks& all) : model_(model), all_(all), pending_(model.pieces.size(), 0), after_(model.pieces.size()) {
+    Walk(const Model& model, const Blocks& all)
+        : model_(model), all_(all), pending_(model.pieces.size(), 0), after_(model.pieces.size()) {
         for (const auto& [i, j] : model.rules.before) {
             const int p = model.piece_of[at(i)], q = model.piece_of[at(j)];
             if (all.block_of[at(p)] != all.block_of[at(q)]) continue;
             after_[at(p)].push_back(q);
             ++pending_[at(q)];
         }
-        if (model.problem->start) here_ = *model.problem->start;
-        else anywhere_ = true;
+        if (model.problem->start)
+            here_ = *model.problem->start;
+        else
+            anywhere_ = true;
     }
 
     std::vector<Visit> run() {
@@ -265,7 +285,8 @@ class Walk {
                 for (const bool way : {false, true}) {
                     const Block& block = all_.blocks[at(ready[k])];
                     if (!block.runs[way]) continue;
-                    if (const double d = distance_to_block(block, way); d < nearest) nearest = d, best = k, turned = way;
+                    if (const double d = distance_to_block(block, way); d < nearest)
+                        nearest = d, best = k, turned = way;
                 }
             const int b = ready[best];
             ready.erase(ready.begin() + static_cast<std::ptrdiff_t>(best));
@@ -283,18 +304,20 @@ class Walk {
         visit = {p, fixed < 0, 0};
         if (anywhere_) {
             if (fixed == 0) visit.backward = piece.direction < 0;
-            return static_cast<double>(p);   // no start: in the order of the file
+            return static_cast<double>(p);  // no start: in the order of the file
         }
         double best = std::numeric_limits<double>::infinity();
         if (piece.choices > 0) {
             for (int c = 0; c < piece.choices; ++c)
-                if (const double d = distance(here_, model_.choices[at(piece.first_choice + c)].at); d < best) best = d, visit.choice = c;
+                if (const double d = distance(here_, model_.choices[at(piece.first_choice + c)].at); d < best)
+                    best = d, visit.choice = c;
             return best;
         }
         for (const bool backward : {false, true}) {
             const int wanted = fixed != 0 ? fixed : piece.direction;
             if (wanted != 0 && backward != (wanted < 0)) continue;
-            if (const double d = distance(here_, model_.ends[at(2 * p + (backward ? 1 : 0))]); d < best) best = d, visit.backward = backward;
+            if (const double d = distance(here_, model_.ends[at(2 * p + (backward ? 1 : 0))]); d < best)
+                best = d, visit.backward = backward;
         }
         return best;
     }

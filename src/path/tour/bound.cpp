@@ -7,7 +7,8 @@ namespace strandline::tour {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// Rounds of the ascent; the step is halved whenever `patience` rounds brought nothing. More rounds gain less than 0.1 %.
+/// Rounds of the ascent; the step is halved whenever `patience` rounds brought nothing. More rounds gain less
+/// than 0.1 %.
 constexpr int ascent_rounds = 240, patience = 12;
 /// Dropping vertices raises the bound, which drops more: two or three times bring nearly all of it.
 constexpr int drop_rounds = 4;
@@ -17,7 +18,8 @@ bool has(std::uint64_t mask, int stop) { return (mask >> stop) & 1U; }
 
 }  // namespace
 
-Bound::Bound(Route& route, double upper, double tolerance) : route_(&route), stops_(route.stops() + 1), width_(2 * stops_) {
+Bound::Bound(Route& route, double upper, double tolerance)
+    : route_(&route), stops_(route.stops() + 1), width_(2 * stops_) {
     price_.assign(at(width_), 0);
     for (int round = 0; round < drop_rounds; ++round) {
         measure();
@@ -67,7 +69,8 @@ void Bound::measure() {
         }
         double& last = gap_[at(a.terminal * width_ + 2 * end)];
         last = std::min(last, route.to ? distance(a.at, *route.to) : 0);
-        start_[at(a.terminal)] = std::min(start_[at(a.terminal)], route.from ? distance(*route.from, a.at) : 0);
+        start_[at(a.terminal)] =
+            std::min(start_[at(a.terminal)], route.from ? distance(*route.from, a.at) : 0);
     }
 }
 
@@ -80,7 +83,8 @@ void Bound::merge() {
             int touched = 0;
             for (int i = 0; i < 4; ++i) {
                 const int a = 2 * s + i / 2, b = 2 * u + i % 2;
-                if (const double d = gap_[at(a * width_ + b)] + price_[at(a)] + price_[at(b)]; d < best) best = d, touched = i;
+                if (const double d = gap_[at(a * width_ + b)] + price_[at(a)] + price_[at(b)]; d < best)
+                    best = d, touched = i;
             }
             merged_[at(s * stops_ + u)] = merged_[at(u * stops_ + s)] = best;
             touched_[at(s * stops_ + u)] = touched;
@@ -114,7 +118,8 @@ double Bound::spanned(std::uint64_t mask, std::vector<int>* degrees) const {
             ++(*degrees)[at(2 * s + touched % 2)];
         }
         for (int k = 0; k < count; ++k)
-            if (const double d = merged_[at(s * stops_ + open[k])]; d < least[open[k]]) least[open[k]] = d, from[open[k]] = s;
+            if (const double d = merged_[at(s * stops_ + open[k])]; d < least[open[k]])
+                least[open[k]] = d, from[open[k]] = s;
     }
     return sum;
 }
@@ -122,7 +127,8 @@ double Bound::spanned(std::uint64_t mask, std::vector<int>* degrees) const {
 double Bound::back(std::uint64_t mask) const {
     double sum = price_[at(2 * (stops_ - 1))];
     for (int s = 0; s < stops_ - 1; ++s)
-        if (has(mask, s)) sum += route_->polygon[at(s)] ? 2 * price_[at(2 * s)] : price_[at(2 * s)] + price_[at(2 * s + 1)];
+        if (has(mask, s))
+            sum += route_->polygon[at(s)] ? 2 * price_[at(2 * s)] : price_[at(2 * s)] + price_[at(2 * s + 1)];
     return sum;
 }
 
@@ -142,7 +148,9 @@ double Bound::from_option(int option, std::uint64_t mask, double tree_of_mask) c
     const double* reach = &reach_[at(option) * at(width_)];
     double best = infinite;
     for (int s = 0; s < stops_ - 1; ++s)
-        if (has(mask, s)) best = std::min({best, reach[2 * s] + price_[at(2 * s)], reach[2 * s + 1] + price_[at(2 * s + 1)]});
+        if (has(mask, s))
+            best =
+                std::min({best, reach[2 * s] + price_[at(2 * s)], reach[2 * s + 1] + price_[at(2 * s + 1)]});
     return best + tree_of_mask;
 }
 
@@ -172,7 +180,7 @@ void Bound::ascend(double upper) {
             if (line) --degrees[at(2 * s + 1)];
             norm += degrees[at(2 * s)] * degrees[at(2 * s)] + degrees[at(2 * s + 1)] * degrees[at(2 * s + 1)];
         }
-        if (norm == 0 || best >= upper) break;   // the tree is a path: nothing above it
+        if (norm == 0 || best >= upper) break;  // the tree is a path: nothing above it
         const double step = share * (upper - value) / norm;
         for (int t = 0; t < width_; ++t) price_[at(t)] += step * degrees[at(t)];
     }
@@ -189,12 +197,15 @@ bool Bound::drop(double limit) {
         first.push_back(static_cast<int>(kept.size()));
         for (int o = route.first[at(s)]; o < route.first[at(s + 1)]; ++o) {
             bool useful = true;
-            if (route.polygon[at(s)] && has(route.all, s) && route.first[at(s + 1)] - route.first[at(s)] > 1) {
+            if (route.polygon[at(s)] && has(route.all, s) &&
+                route.first[at(s + 1)] - route.first[at(s)] > 1) {
                 // The same bound with the polygon shrunk to this vertex.
                 for (int u = 0; u < stops_; ++u) {
                     if (u == s) continue;
                     const double* reach = &reach_[at(o) * at(width_) + at(2 * u)];
-                    const double d = std::min(reach[0] + price_[at(2 * u)], reach[1] + price_[at(2 * u + 1)]) + price_[at(2 * s)];
+                    const double d =
+                        std::min(reach[0] + price_[at(2 * u)], reach[1] + price_[at(2 * u + 1)]) +
+                        price_[at(2 * s)];
                     merged_[at(s * stops_ + u)] = merged_[at(u * stops_ + s)] = d;
                 }
                 start_[at(2 * s)] = route.from ? distance(*route.from, route.options[at(o)].in) : 0;

@@ -24,8 +24,8 @@ double Bridge::evaluate(Search& search) {
     const auto [a, b, bb, c, cc, d, dd, aa] = link;
     const int circles[8] = {a, b, cc, d, dd, aa, bb, c};
     std::copy(circles, circles + 8, t_);
-    return tour.gap(a, b) + tour.gap(bb, c) + tour.gap(cc, d) + tour.gap(dd, aa) - tour.gap(a, d) - tour.gap(dd, c) - tour.gap(cc, b) -
-           tour.gap(bb, aa);
+    return tour.gap(a, b) + tour.gap(bb, c) + tour.gap(cc, d) + tour.gap(dd, aa) - tour.gap(a, d) -
+           tour.gap(dd, c) - tour.gap(cc, b) - tour.gap(bb, aa);
 }
 
 void Bridge::apply(Search& search) const {

@@ -23,7 +23,7 @@ struct Gates {
         int entry_group = -1, exit_group = -1;
         bool open = true;
     };
-    std::vector<Way> ways;           ///< 2 * piece + backward
+    std::vector<Way> ways;  ///< 2 * piece + backward
     std::vector<Mask> groups;
 
     bool lets(Mask passed, int last_way, int way) const {
@@ -50,7 +50,9 @@ Gates build_gates(const Model& model) {
         for (int backward = 0; backward < 2; ++backward) {
             Gates::Way& way = gates.ways[at(2 * p + backward)];
             way.open = piece.direction == 0 || (piece.direction < 0) == (backward == 1);
-            const auto group_at = [&](int k) { return rules.group_of[at(piece.members[at(backward ? size - 1 - k : k)].element)]; };
+            const auto group_at = [&](int k) {
+                return rules.group_of[at(piece.members[at(backward ? size - 1 - k : k)].element)];
+            };
             way.entry_group = group_at(0);
             way.exit_group = group_at(size - 1);
             for (int k = 0; k < size; ++k) {
@@ -82,7 +84,8 @@ Route build_route(const Model& model, const Gates& gates) {
         }
         for (const bool backward : {false, true})
             if (piece.choices == 0 && gates.ways[at(2 * p + backward)].open)
-                route.options.push_back({p, backward, 0, model.ends[at(2 * p + backward)], model.ends[at(2 * p + 1 - backward)]});
+                route.options.push_back(
+                    {p, backward, 0, model.ends[at(2 * p + backward)], model.ends[at(2 * p + 1 - backward)]});
         route.all |= bit(p);
     }
     route.first.push_back(static_cast<int>(route.options.size()));
@@ -101,7 +104,8 @@ struct Key {
 };
 struct KeyHash {
     std::size_t operator()(const Key& key) const {
-        Mask h = key.passed * 0x9e3779b97f4a7c15ULL + static_cast<Mask>(key.option);   // golden ratio, then mixed down
+        Mask h = key.passed * 0x9e3779b97f4a7c15ULL +
+                 static_cast<Mask>(key.option);  // golden ratio, then mixed down
         h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9ULL;
         return h ^ (h >> 32);
     }
@@ -113,12 +117,15 @@ struct Budget {
     bool spent = false;
 };
 
-/// The best path shorter than `upper`, which it lowers; empty when there is none. `lead`: a piece passed already, and how.
-std::vector<Visit> shortest(const Gates& gates, Route route, int lead_way, double& upper, double slack, Budget& budget,
-                            const Progress& progress) {
+/// The best path shorter than `upper`, which it lowers; empty when there is none. `lead`: a piece passed
+/// already, and how.
+std::vector<Visit> shortest(const Gates& gates, Route route, int lead_way, double& upper, double slack,
+                            Budget& budget, const Progress& progress) {
     const Bound bound(route, upper, slack);
     if (bound.root() > upper - slack) return {};
-    const auto way_of = [&](int option) { return 2 * route.options[at(option)].stop + (route.options[at(option)].backward ? 1 : 0); };
+    const auto way_of = [&](int option) {
+        return 2 * route.options[at(option)].stop + (route.options[at(option)].backward ? 1 : 0);
+    };
     const Mask lead = lead_way < 0 ? 0 : bit(lead_way / 2);
     const Mask all = route.all;
     std::vector<std::vector<State>> layers(1, {{lead, -1, -1, 0}});
@@ -147,7 +154,8 @@ std::vector<Visit> shortest(const Gates& gates, Route route, int lead_way, doubl
                     const double cost = state.cost + (here ? distance(*here, route.options[at(o)].in) : 0);
                     if (cost > upper - slack) continue;
                     if (open == 0) {
-                        const double total = cost + (route.to ? distance(route.options[at(o)].out, *route.to) : 0);
+                        const double total =
+                            cost + (route.to ? distance(route.options[at(o)].out, *route.to) : 0);
                         if (total > upper - slack) continue;
                         upper = total;
                         best.clear();
@@ -163,7 +171,8 @@ std::vector<Visit> shortest(const Gates& gates, Route route, int lead_way, doubl
                     }
                     const auto [found, fresh] = met.try_emplace({passed, o}, -1);
                     if (!fresh) {
-                        // -1: its bound was too high at a cost that was not higher, or has not been looked at since
+                        // -1: its bound was too high at a cost that was not higher, or has not been looked at
+                        // since
                         if (found->second >= 0 && next[at(found->second)].cost <= cost) continue;
                         if (found->second >= 0) {
                             next[at(found->second)].cost = cost;
@@ -187,8 +196,8 @@ std::vector<Visit> shortest(const Gates& gates, Route route, int lead_way, doubl
 
 }  // namespace
 
-std::optional<std::vector<Visit>> prove(const Model& model, const std::vector<Visit>& known, double upper, std::uint64_t work,
-                                        const Progress& progress) {
+std::optional<std::vector<Visit>> prove(const Model& model, const std::vector<Visit>& known, double upper,
+                                        std::uint64_t work, const Progress& progress) {
     if (model.piece_count() > most_exact_pieces) return std::nullopt;
     if (model.pieces.empty()) return known;
     const Gates gates = build_gates(model);
@@ -204,10 +213,13 @@ std::optional<std::vector<Visit>> prove(const Model& model, const std::vector<Vi
         const auto found = shortest(gates, std::move(open), -1, upper, slack, budget, progress);
         if (!found.empty()) best = found;
     } else {
-        // A ring: opened at one piece, in each way of passing it. Rules count from the first piece, so then every piece may be it.
+        // A ring: opened at one piece, in each way of passing it. Rules count from the first piece, so then
+        // every piece may be it.
         int fewest = 0;
         for (int p = 1; p < model.piece_count(); ++p)
-            if (route.first[at(p + 1)] - route.first[at(p)] < route.first[at(fewest + 1)] - route.first[at(fewest)]) fewest = p;
+            if (route.first[at(p + 1)] - route.first[at(p)] <
+                route.first[at(fewest + 1)] - route.first[at(fewest)])
+                fewest = p;
         for (int p = 0; p < model.piece_count() && !budget.spent; ++p) {
             if (!model.rules.any && p != fewest) continue;
             for (int o = route.first[at(p)]; o < route.first[at(p + 1)] && !budget.spent; ++o) {

@@ -31,7 +31,7 @@ double Exchange::deeper(Search& search, int k, double gain) {
     int count = 0;
     for (int c = near.first[static_cast<std::size_t>(last)]; c < end; ++c) {
         const auto [node, least] = near.all[static_cast<std::size_t>(c)];
-        if (gain - static_cast<double>(least) <= tolerance) break;   // the lists are sorted
+        if (gain - static_cast<double>(least) <= tolerance) break;  // the lists are sorted
         const double left = gain - tour.gap(last, node);
         if (left <= tolerance) continue;
         bool taken = false;

@@ -19,7 +19,8 @@ int count(const Element& element) { return static_cast<int>(element.points.size(
 /// One that is left where it was entered: a polygon, or a line of a single point.
 bool is_spot(const Element& element) { return element.closed || element.points.size() == 1; }
 
-tl::unexpected<Error> wrong(const Problem& problem, int element, std::string reason, std::string remedy = {}) {
+tl::unexpected<Error> wrong(const Problem& problem, int element, std::string reason,
+                            std::string remedy = {}) {
     return fail(named(problem, element), std::move(reason), std::move(remedy));
 }
 
@@ -36,7 +37,8 @@ Outcome<void> check_points(const Problem& problem) {
                              "give numbers of ordinary size");
     }
     if (problem.start && !sound(*problem.start)) return fail("start", "is not finite or too large");
-    if (problem.end == End::at_point && !sound(problem.end_point)) return fail("end", "is not finite or too large");
+    if (problem.end == End::at_point && !sound(problem.end_point))
+        return fail("end", "is not finite or too large");
     return {};
 }
 
@@ -46,14 +48,17 @@ Outcome<void> check_entries(const Problem& problem) {
         if (!element.entry) continue;
         const int entry = *element.entry, last = count(element) - 1;
         if (entry < 0 || entry > last)
-            return wrong(problem, i, fmt::format("its entry is vertex {}, but it has {} points", entry, last + 1));
+            return wrong(problem, i,
+                         fmt::format("its entry is vertex {}, but it has {} points", entry, last + 1));
         if (element.closed) continue;
         if (entry != 0 && entry != last)
             return wrong(problem, i, fmt::format("its entry is vertex {}, inside an open line", entry),
                          fmt::format("use 0 or {}", last));
         const bool clash = last > 0 && ((entry == 0 && element.direction == Direction::backward) ||
                                         (entry != 0 && element.direction == Direction::forward));
-        if (clash) return wrong(problem, i, "its fixed entry and its direction contradict each other", "drop one of them");
+        if (clash)
+            return wrong(problem, i, "its fixed entry and its direction contradict each other",
+                         "drop one of them");
     }
     return {};
 }
@@ -71,36 +76,49 @@ Outcome<Holds> check_links(const Problem& problem) {
     for (std::size_t l = 0; l < problem.links.size(); ++l) {
         const Link& link = problem.links[l];
         const std::string place = fmt::format("link {}", l);
-        for (const auto& [element, vertex] : {std::pair(link.element_a, link.vertex_a), std::pair(link.element_b, link.vertex_b)}) {
-            if (element < 0 || element >= n) return fail(place, fmt::format("there is no element {}", element));
+        for (const auto& [element, vertex] :
+             {std::pair(link.element_a, link.vertex_a), std::pair(link.element_b, link.vertex_b)}) {
+            if (element < 0 || element >= n)
+                return fail(place, fmt::format("there is no element {}", element));
             if (vertex < 0 || vertex >= count(problem.elements[at(element)]))
                 return fail(place, fmt::format("{} has no point {}", named(problem, element), vertex));
         }
         if (link.element_a == link.element_b)
-            return fail(place, fmt::format("links {} to itself", named(problem, link.element_a)), "remove it");
+            return fail(place, fmt::format("links {} to itself", named(problem, link.element_a)),
+                        "remove it");
         if (!seen.insert(std::minmax(link.element_a, link.element_b)).second)
-            return fail(place, fmt::format("links {} and {} a second time", named(problem, link.element_a),
-                                           named(problem, link.element_b)),
+            return fail(place,
+                        fmt::format("links {} and {} a second time", named(problem, link.element_a),
+                                    named(problem, link.element_b)),
                         "remove one of the two");
-        for (const auto& [element, vertex, other] : {std::tuple(link.element_a, link.vertex_a, link.element_b),
-                                                    std::tuple(link.element_b, link.vertex_b, link.element_a)}) {
+        for (const auto& [element, vertex, other] :
+             {std::tuple(link.element_a, link.vertex_a, link.element_b),
+              std::tuple(link.element_b, link.vertex_b, link.element_a)}) {
             const Element& e = problem.elements[at(element)];
             auto& own = holds[at(element)];
-            if (own.size() == 2) return fail(place, fmt::format("is the third one at {}", named(problem, element)), "keep two");
+            if (own.size() == 2)
+                return fail(place, fmt::format("is the third one at {}", named(problem, element)),
+                            "keep two");
             if (!is_spot(e) && vertex != 0 && vertex != count(e) - 1)
-                return fail(place, fmt::format("holds the open {} at its inner point {}", named(problem, element), vertex),
-                            fmt::format("use 0 or {}", count(e) - 1));
+                return fail(
+                    place,
+                    fmt::format("holds the open {} at its inner point {}", named(problem, element), vertex),
+                    fmt::format("use 0 or {}", count(e) - 1));
             if (!own.empty() && !is_spot(e) && own[0].vertex == vertex)
-                return fail(place, fmt::format("is the second one at point {} of the open {}", vertex, named(problem, element)),
+                return fail(place,
+                            fmt::format("is the second one at point {} of the open {}", vertex,
+                                        named(problem, element)),
                             "use its other end");
             if (!own.empty() && is_spot(e) && own[0].vertex != vertex)
-                return fail(place,
-                            fmt::format("the closed {} is linked at points {} and {}, but it is left where it is entered",
-                                        named(problem, element), own[0].vertex, vertex),
-                            "link both at one point");
+                return fail(
+                    place,
+                    fmt::format(
+                        "the closed {} is linked at points {} and {}, but it is left where it is entered",
+                        named(problem, element), own[0].vertex, vertex),
+                    "link both at one point");
             if (is_spot(e) && e.entry && *e.entry != vertex)
-                return fail(place, fmt::format("holds {} at point {}, but its fixed entry is {}", named(problem, element), vertex,
-                                               *e.entry));
+                return fail(place, fmt::format("holds {} at point {}, but its fixed entry is {}",
+                                               named(problem, element), vertex, *e.entry));
             own.push_back({vertex, other});
         }
     }
@@ -123,8 +141,10 @@ Member member_of(const Problem& problem, int element, const std::vector<Hold>& o
     }
     const int last = count(e) - 1;
     bool forward = true;
-    if (in >= 0) forward = own[at(in)].vertex == 0;
-    else if (!own.empty()) forward = own[0].vertex == last;
+    if (in >= 0)
+        forward = own[at(in)].vertex == 0;
+    else if (!own.empty())
+        forward = own[0].vertex == last;
     return forward ? Member{element, 0, last} : Member{element, last, 0};
 }
 
@@ -141,7 +161,8 @@ Outcome<void> add_piece(Model& model, const Holds& holds, int first) {
         if (wanted != 0) {
             if (piece.direction == -wanted)
                 return wrong(problem, element,
-                             fmt::format("its direction contradicts that of {} in the same chain of links", named(problem, decided_by)),
+                             fmt::format("its direction contradicts that of {} in the same chain of links",
+                                         named(problem, decided_by)),
                              "free one of the directions or remove a link");
             if (piece.direction == 0) decided_by = element;
             piece.direction = wanted;
@@ -174,13 +195,15 @@ Outcome<void> turn_pieces(Model& model) {
     Rules& rules = model.rules;
     std::vector<int> place(model.piece_of.size());
     for (const Piece& piece : model.pieces)
-        for (std::size_t k = 0; k < piece.members.size(); ++k) place[at(piece.members[k].element)] = static_cast<int>(k);
+        for (std::size_t k = 0; k < piece.members.size(); ++k)
+            place[at(piece.members[k].element)] = static_cast<int>(k);
     const auto turn = [&](int i, int j) -> Outcome<void> {
         Piece& piece = model.pieces[at(model.piece_of[at(i)])];
         const int wanted = place[at(i)] < place[at(j)] ? 1 : -1;
         if (piece.direction == -wanted)
             return wrong(problem, i,
-                         fmt::format("must come before {}, but the links, directions or other orders of their chain say otherwise",
+                         fmt::format("must come before {}, but the links, directions or other orders of "
+                                     "their chain say otherwise",
                                      named(problem, j)),
                          "drop one of them");
         piece.direction = wanted;
@@ -190,7 +213,9 @@ Outcome<void> turn_pieces(Model& model) {
     for (const auto& [i, j] : rules.before)
         if (model.piece_of[at(i)] == model.piece_of[at(j)])
             if (const auto turned = turn(i, j); !turned) return turned;
-    std::erase_if(rules.before, [&](auto& pair) { return model.piece_of[at(pair.first)] == model.piece_of[at(pair.second)]; });
+    std::erase_if(rules.before, [&](auto& pair) {
+        return model.piece_of[at(pair.first)] == model.piece_of[at(pair.second)];
+    });
     if (!rules.keep_group_order) return {};
     for (std::size_t p = 0; p < model.pieces.size(); ++p) {
         int last = -1;
@@ -199,7 +224,9 @@ Outcome<void> turn_pieces(Model& model) {
             if (last >= 0) {
                 const int a = rules.group_of[at(last)], b = rules.group_of[at(member.element)];
                 if (a != b)
-                    if (const auto turned = a < b ? turn(last, member.element) : turn(member.element, last); !turned) return turned;
+                    if (const auto turned = a < b ? turn(last, member.element) : turn(member.element, last);
+                        !turned)
+                        return turned;
             }
             last = member.element;
         }
@@ -217,7 +244,8 @@ Outcome<void> add_rules(Model& model) {
         const std::string place = fmt::format("before {}", k);
         for (const int e : {i, j})
             if (e < 0 || e >= n) return fail(place, fmt::format("there is no element {}", e));
-        if (i == j) return fail(place, fmt::format("{} cannot come before itself", named(problem, i)), "remove it");
+        if (i == j)
+            return fail(place, fmt::format("{} cannot come before itself", named(problem, i)), "remove it");
         rules.before.emplace_back(i, j);
     }
     std::sort(rules.before.begin(), rules.before.end());
@@ -229,15 +257,17 @@ Outcome<void> add_rules(Model& model) {
             const std::string place = fmt::format("group {}", g);
             if (e < 0 || e >= n) return fail(place, fmt::format("there is no element {}", e));
             if (rules.group_of[at(e)] >= 0)
-                return fail(place, fmt::format("{} is in group {} already", named(problem, e), rules.group_of[at(e)]),
-                            "put it into one group only");
+                return fail(
+                    place, fmt::format("{} is in group {} already", named(problem, e), rules.group_of[at(e)]),
+                    "put it into one group only");
             rules.group_of[at(e)] = g;
         }
         rules.group_size.push_back(static_cast<int>(group.size()));
     }
     if (const auto turned = turn_pieces(model); !turned) return turned;
-    rules.any = rules.directed || !rules.before.empty() ||
-                std::any_of(rules.group_size.begin(), rules.group_size.end(), [](int size) { return size > 0; });
+    rules.any =
+        rules.directed || !rules.before.empty() ||
+        std::any_of(rules.group_size.begin(), rules.group_size.end(), [](int size) { return size > 0; });
     return {};
 }
 
@@ -282,7 +312,8 @@ Outcome<Model> build_model(const Problem& problem) {
         if (const auto added = add_piece(model, *holds, e); !added) return tl::unexpected(added.error());
     }
     for (int e = 0; e < n; ++e)
-        if (model.piece_of[at(e)] < 0) return wrong(problem, e, "is in a chain of links that closes on itself", "remove one link");
+        if (model.piece_of[at(e)] < 0)
+            return wrong(problem, e, "is in a chain of links that closes on itself", "remove one link");
     if (const auto added = add_rules(model); !added) return tl::unexpected(added.error());
     add_gate(model);
 

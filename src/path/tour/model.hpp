@@ -1,8 +1,9 @@
 #pragma once
-// The problem as the search sees it. A *piece* is what is never split: one element, or a chain of linked ones. Piece i has two nodes,
-// 2i and 2i+1, and the edge between them cannot be removed. A line's nodes are its ends; a polygon's two nodes lie on one point, the
-// vertex now chosen. One more piece, the *gate*, stands for start and end and closes the path into a ring; its *loose* nodes (no
-// start, or no end given) are at distance 0 from everything. A closed tour with a free start has no gate.
+// The problem as the search sees it. A *piece* is what is never split: one element, or a chain of linked
+// ones. Piece i has two nodes, 2i and 2i+1, and the edge between them cannot be removed. A line's nodes are
+// its ends; a polygon's two nodes lie on one point, the vertex now chosen. One more piece, the *gate*, stands
+// for start and end and closes the path into a ring; its *loose* nodes (no start, or no end given) are at
+// distance 0 from everything. A closed tour with a free start has no gate.
 #include <utility>
 #include <vector>
 
@@ -32,38 +33,42 @@ struct Choice {
 
 /// What binds the order beyond the chains. All by element.
 struct Rules {
-    bool any = false;              ///< false: every order is allowed, no check is made
-    bool directed = false;         ///< some piece has a direction
+    bool any = false;       ///< false: every order is allowed, no check is made
+    bool directed = false;  ///< some piece has a direction
     std::vector<std::pair<int, int>> before;
-    std::vector<int> group_of;     ///< by element; -1: none
+    std::vector<int> group_of;  ///< by element; -1: none
     std::vector<int> group_size;
     bool keep_group_order = false;
 };
 
 struct Model {
     const Problem* problem = nullptr;
-    std::vector<Piece> pieces;      ///< without the gate
+    std::vector<Piece> pieces;  ///< without the gate
     std::vector<Choice> choices;
-    std::vector<Point> ends;        ///< by node, gate included; polygons: their first choice
-    std::vector<int> piece_of;      ///< by element
+    std::vector<Point> ends;    ///< by node, gate included; polygons: their first choice
+    std::vector<int> piece_of;  ///< by element
     bool gate = true;
-    int gate_start = 0, gate_end = 0;   ///< nodes: the drive begins at the one and ends at the other
-    int loose_from = 0;                 ///< nodes from here on are loose
+    int gate_start = 0, gate_end = 0;  ///< nodes: the drive begins at the one and ends at the other
+    int loose_from = 0;                ///< nodes from here on are loose
     Rules rules;
-    double tolerance = 0;               ///< gains below this are rounding
+    double tolerance = 0;  ///< gains below this are rounding
 
     int piece_count() const { return static_cast<int>(pieces.size()); }
     int node_count() const { return static_cast<int>(ends.size()); }
     int gate_piece() const { return gate ? piece_count() : -1; }
-    bool is_polygon(int piece) const { return piece < piece_count() && pieces[static_cast<std::size_t>(piece)].choices > 0; }
+    bool is_polygon(int piece) const {
+        return piece < piece_count() && pieces[static_cast<std::size_t>(piece)].choices > 0;
+    }
 };
 
 /// "element 3 (eye)".
 std::string named(const Problem& problem, int element);
-/// Refuses by name what is broken in itself: points, vertex numbers, links, groups. Keeps a pointer to `problem`.
+/// Refuses by name what is broken in itself: points, vertex numbers, links, groups. Keeps a pointer to
+/// `problem`.
 Outcome<Model> build_model(const Problem& problem);
 
-/// A piece in the order of the drive. backward: from node 2i+1 to node 2i. choice: of a polygon, counted within the piece.
+/// A piece in the order of the drive. backward: from node 2i+1 to node 2i. choice: of a polygon, counted
+/// within the piece.
 struct Visit {
     int piece = 0;
     bool backward = false;

@@ -1,6 +1,7 @@
 #pragma once
-// The moves of the local search: one a file, each with three verbs. evaluate: is there a gain here (the move is remembered); apply:
-// carry it out; name. Costs are looked at through Sequence::gap alone, so that another cost has one place to go.
+// The moves of the local search: one a file, each with three verbs. evaluate: is there a gain here (the move
+// is remembered); apply: carry it out; name. Costs are looked at through Sequence::gap alone, so that another
+// cost has one place to go.
 #include <random>
 #include <vector>
 
@@ -14,15 +15,16 @@ struct Search {
     Sequence tour;
     const Candidates& candidates;
     std::mt19937_64 random;
-    std::vector<int> touched;      ///< nodes whose link changed: what the next look starts from
+    std::vector<int> touched;  ///< nodes whose link changed: what the next look starts from
 };
 /// Uniform in 0 .. n-1; the bias of n / 2^32 does not matter here.
 inline int below(std::mt19937_64& random, int n) {
     return static_cast<int>(((random() >> 32) * static_cast<std::uint64_t>(n)) >> 32);
 }
 
-/// Sequential exchange of up to `most_links` links (Lin and Kernighan, Operations Research 21, 1973; depth-first without a
-/// feasibility check on the way: the ring is tested only where closing it would gain, which is rare).
+/// Sequential exchange of up to `most_links` links (Lin and Kernighan, Operations Research 21, 1973;
+/// depth-first without a feasibility check on the way: the ring is tested only where closing it would gain,
+/// which is rare).
 class Exchange {
   public:
     static constexpr const char* name = "exchange";
@@ -58,14 +60,15 @@ class Revertex {
   private:
     int piece_ = 0, choice_ = 0;
 };
-/// All vertices of runs of polygons at once: the shortest path through their vertices in the given order. Returns the gain.
-/// O(sum of V_i V_(i+1)).
+/// All vertices of runs of polygons at once: the shortest path through their vertices in the given order.
+/// Returns the gain. O(sum of V_i V_(i+1)).
 double choose_all_vertices(Search& search);
 /// The same for one polygon and its nearest companions in the order.
 double choose_vertices_around(Search& search, int piece);
 
-/// The kick: three neighbouring short runs change places, B C D -> D C B (Martin, Otto, Felten, Complex Systems 5, 1991). No
-/// sequential exchange of few links undoes it. Needs four pieces or more, the gate counted.
+/// The kick: three neighbouring short runs change places, B C D -> D C B (Martin, Otto, Felten, Complex
+/// Systems 5, 1991). No sequential exchange of few links undoes it. Needs four pieces or more, the gate
+/// counted.
 class Bridge {
   public:
     static constexpr const char* name = "bridge";

@@ -7,8 +7,8 @@
 
 namespace strandline::tour {
 
-/// Balanced kd-tree (Bentley, Communications of the ACM 18, 1975); points can be taken out. A grid was not used: drawings
-/// have points in heaps, where its cells overflow.
+/// Balanced kd-tree (Bentley, Communications of the ACM 18, 1975); points can be taken out. A grid was not
+/// used: drawings have points in heaps, where its cells overflow.
 class Tree {
   public:
     struct Entry {
@@ -16,13 +16,14 @@ class Tree {
         int owner;
     };
     explicit Tree(std::vector<Entry> entries);
-    /// Index of the nearest entry still in, -1 when none is left. Ties: the lower index of the tree. O(log n) on average.
+    /// Index of the nearest entry still in, -1 when none is left. Ties: the lower index of the tree. O(log n)
+    /// on average.
     int nearest(Point p) const;
     const Entry& entry(int index) const { return entries_[static_cast<std::size_t>(index)]; }
     int size() const { return static_cast<int>(entries_.size()); }
     void remove(int index);
-    /// The nearest `count` owners other than `self`, with squared distance, nearest first. `found` is added to: of two distances to
-    /// one owner the smaller stays.
+    /// The nearest `count` owners other than `self`, with squared distance, nearest first. `found` is added
+    /// to: of two distances to one owner the smaller stays.
     struct Found {
         double squared;
         int owner;
@@ -41,14 +42,15 @@ class Tree {
     std::vector<Cell> cells_;
 };
 
-/// Candidate lists: for each node the nodes worth being joined to, nearest first. Loose gate nodes are candidates of every node.
+/// Candidate lists: for each node the nodes worth being joined to, nearest first. Loose gate nodes are
+/// candidates of every node.
 struct Candidates {
     struct Near {
         int node;
-        float gap;       ///< a polygon is measured at its best vertex, so this may be less than the distance now
+        float gap;  ///< a polygon is measured at its best vertex, so this may be less than the distance now
     };
     std::vector<Near> all;
-    std::vector<int> first;   ///< by node; one past the end too
+    std::vector<int> first;  ///< by node; one past the end too
 };
 /// `count` owners a node. O(n log n) time; O(n count) memory.
 Candidates find_candidates(const Model& model, int count);

@@ -5,7 +5,7 @@ namespace strandline::tour {
 double Reinsert::evaluate(Search& search, int piece) {
     Sequence& tour = search.tour;
     const Model& model = tour.model();
-    if (!model.is_polygon(piece) || tour.nodes() < 6) return 0;   // with two pieces there is no other place
+    if (!model.is_polygon(piece) || tour.nodes() < 6) return 0;  // with two pieces there is no other place
     const int a = 2 * piece, b = a + 1;
     const int before = tour.mate(a), after = tour.mate(b);
     const double freed = tour.gap(before, a) + tour.gap(b, after) - tour.gap(before, after);
@@ -13,7 +13,8 @@ double Reinsert::evaluate(Search& search, int piece) {
     const Piece& own = model.pieces[static_cast<std::size_t>(piece)];
     const Candidates& near = search.candidates;
     double best = 0;
-    for (int c = near.first[static_cast<std::size_t>(a)]; c < near.first[static_cast<std::size_t>(a + 1)]; ++c) {
+    for (int c = near.first[static_cast<std::size_t>(a)]; c < near.first[static_cast<std::size_t>(a + 1)];
+         ++c) {
         const auto [node, least] = near.all[static_cast<std::size_t>(c)];
         if (static_cast<double>(least) >= freed) break;
         const int mate = tour.mate(node);

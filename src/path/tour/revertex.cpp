@@ -11,14 +11,18 @@ constexpr int reach_around = 4;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-Point vertex(const Model& model, const Piece& piece, int v) { return model.choices[at(piece.first_choice + v)].at; }
+Point vertex(const Model& model, const Piece& piece, int v) {
+    return model.choices[at(piece.first_choice + v)].at;
+}
 
-/// Best vertices of the polygons at places `from`, `from` + 2, ... (`count` of them, round the ring), the nodes around them fixed.
+/// Best vertices of the polygons at places `from`, `from` + 2, ... (`count` of them, round the ring), the
+/// nodes around them fixed.
 double choose_run(Search& search, int from, int count) {
     Sequence& tour = search.tour;
     const Model& model = tour.model();
     const auto piece_at = [&](int k) { return tour.node_at((from + 2 * k) % tour.nodes()) / 2; };
-    const int before = tour.mate(tour.node_at(from)), after = tour.mate(tour.node_at((from + 2 * count - 1) % tour.nodes()));
+    const int before = tour.mate(tour.node_at(from)),
+              after = tour.mate(tour.node_at((from + 2 * count - 1) % tour.nodes()));
     std::vector<double> cost(1, 0), next;
     std::vector<std::vector<int>> came(at(count));
     double old = 0;
@@ -36,10 +40,12 @@ double choose_run(Search& search, int from, int count) {
             for (int u = 0; u < last.choices; ++u) {
                 // sqrt only where it can matter: most vertices are beaten by their cost so far
                 if (cost[at(u)] >= next[at(v)]) continue;
-                if (const double d = cost[at(u)] + distance(vertex(model, last, u), p); d < next[at(v)]) next[at(v)] = d, came[at(k)][at(v)] = u;
+                if (const double d = cost[at(u)] + distance(vertex(model, last, u), p); d < next[at(v)])
+                    next[at(v)] = d, came[at(k)][at(v)] = u;
             }
         }
-        old += tour.gap(tour.node_at((from + 2 * k) % tour.nodes()), tour.mate(tour.node_at((from + 2 * k) % tour.nodes())));
+        old += tour.gap(tour.node_at((from + 2 * k) % tour.nodes()),
+                        tour.mate(tour.node_at((from + 2 * k) % tour.nodes())));
         cost.swap(next);
     }
     const int last_node = tour.node_at((from + 2 * count - 1) % tour.nodes());
@@ -73,14 +79,15 @@ double Revertex::evaluate(const Search& search, int piece) {
     if (!model.is_polygon(piece)) return 0;
     const int a = 2 * piece, before = tour.mate(a), after = tour.mate(a + 1);
     const bool entered = before < model.loose_from, left = after < model.loose_from;
-    if (before / 2 == piece) return 0;   // alone in a ring
+    if (before / 2 == piece) return 0;  // alone in a ring
     const Piece& own = model.pieces[at(piece)];
     const double now = tour.gap(before, a) + tour.gap(a, after);
     double best = now - model.tolerance;
     choice_ = -1;
     for (int v = 0; v < own.choices; ++v) {
         const Point p = vertex(model, own, v);
-        const double d = (entered ? distance(tour.at(before), p) : 0) + (left ? distance(p, tour.at(after)) : 0);
+        const double d =
+            (entered ? distance(tour.at(before), p) : 0) + (left ? distance(p, tour.at(after)) : 0);
         if (d < best) best = d, choice_ = v;
     }
     piece_ = piece;
@@ -98,7 +105,9 @@ double choose_vertices_around(Search& search, int piece) {
     const Model& model = tour.model();
     if (!model.is_polygon(piece)) return 0;
     const int pieces = tour.nodes() / 2, middle = tour.place_of(2 * piece) / 2;
-    const auto polygon = [&](int k) { return model.is_polygon(tour.node_at(2 * ((k + pieces) % pieces)) / 2); };
+    const auto polygon = [&](int k) {
+        return model.is_polygon(tour.node_at(2 * ((k + pieces) % pieces)) / 2);
+    };
     int before = 0, after = 0;
     while (before < reach_around && before + 2 < pieces && polygon(middle - before - 1)) ++before;
     while (after < reach_around && before + after + 2 < pieces && polygon(middle + after + 1)) ++after;
@@ -110,7 +119,8 @@ double choose_all_vertices(Search& search) {
     const Model& model = tour.model();
     const int pieces = tour.nodes() / 2;
     const auto polygon = [&](int k) { return model.is_polygon(tour.node_at((2 * k) % tour.nodes()) / 2); };
-    // Runs begin after a piece that has no choice. A ring of polygons alone is opened at one that keeps its vertex.
+    // Runs begin after a piece that has no choice. A ring of polygons alone is opened at one that keeps its
+    // vertex.
     int start = 0;
     while (start < pieces && polygon(start)) ++start;
     start = start == pieces ? 0 : start;

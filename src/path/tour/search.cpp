@@ -37,7 +37,8 @@ class Queue {
         return node;
     }
     void clear() {
-        while (pop() >= 0) {}
+        while (pop() >= 0) {
+        }
     }
 
   private:
@@ -48,7 +49,8 @@ class Queue {
 
 class Descent {
   public:
-    Descent(Search& search, const Progress& progress) : search_(search), progress_(progress), queue_(search.tour.nodes()) {}
+    Descent(Search& search, const Progress& progress)
+        : search_(search), progress_(progress), queue_(search.tour.nodes()) {}
 
     /// Every polygon whose links changed is entered anew; all that was touched is queued. The gain.
     double settle() {
@@ -88,7 +90,8 @@ class Descent {
 
     bool stopped() const { return stopped_; }
     void touch_all() {
-        for (int place = 0; place < search_.tour.nodes(); ++place) search_.touched.push_back(search_.tour.node_at(place));
+        for (int place = 0; place < search_.tour.nodes(); ++place)
+            search_.touched.push_back(search_.tour.node_at(place));
     }
 
   private:
@@ -109,7 +112,8 @@ std::uint64_t default_kicks(int pieces) {
     return std::min<std::uint64_t>(25 * static_cast<std::uint64_t>(std::max(pieces, 1)), most_default_kicks);
 }
 
-Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks, const Progress& progress) {
+Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks,
+                 const Progress& progress) {
     const Candidates candidates = find_candidates(model, candidate_count);
     Search search{Sequence(model, first), candidates, std::mt19937_64(seed), {}};
     Sequence& tour = search.tour;
@@ -127,7 +131,8 @@ Searched improve(const Model& model, const std::vector<Visit>& first, std::uint6
     const std::uint64_t reports = std::max<std::uint64_t>(1, kicks / 100);
     for (; can_kick && result.moves < kicks && !descent.stopped(); ++result.moves) {
         if (result.moves % reports == 0)
-            progress.report(fmt::format("rake up {:.6g}", length), static_cast<double>(result.moves) / static_cast<double>(kicks));
+            progress.report(fmt::format("rake up {:.6g}", length),
+                            static_cast<double>(result.moves) / static_cast<double>(kicks));
         double gain = bridge.evaluate(search);
         bridge.apply(search);
         if (!tour.keeps_rules()) {

@@ -12,8 +12,10 @@ struct Searched {
     std::uint64_t moves = 0;
     bool stopped = false;
 };
-/// Never longer than `first`; keeps the rules if `first` does. Deterministic for seed and kicks unless stopped.
-Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks, const Progress& progress);
+/// Never longer than `first`; keeps the rules if `first` does. Deterministic for seed and kicks unless
+/// stopped.
+Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks,
+                 const Progress& progress);
 /// Kicks when none are asked for, by the number of pieces.
 std::uint64_t default_kicks(int pieces);
 

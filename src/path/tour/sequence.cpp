@@ -10,7 +10,11 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 Sequence::Sequence(const Model& model, const std::vector<Visit>& order)
-    : model_(&model), loose_from_(model.loose_from), place_(index(model.node_count())), choice_(index(model.piece_count()), 0), at_(model.ends) {
+    : model_(&model),
+      loose_from_(model.loose_from),
+      place_(index(model.node_count())),
+      choice_(index(model.piece_count()), 0),
+      at_(model.ends) {
     tour_.reserve(at_.size());
     if (model.gate) {
         tour_.push_back(model.gate_end);
@@ -42,7 +46,8 @@ int Sequence::new_order(const int* t, int k, int circle, Run* runs) const {
         order[i] = i;
     }
     for (int i = 1; i < k; ++i)
-        for (int j = i; j > 0 && begins[order[j]] < begins[order[j - 1]]; --j) std::swap(order[j], order[j - 1]);
+        for (int j = i; j > 0 && begins[order[j]] < begins[order[j - 1]]; --j)
+            std::swap(order[j], order[j - 1]);
     // Slot 2r is the left end of run r, 2r + 1 its right end; run r begins after the link order[r].
     for (int r = 0; r < k; ++r) {
         const int i = order[r];
@@ -87,10 +92,12 @@ void Sequence::exchange(const int* t, int k, int circle) {
     for (int s = 1; s < k; ++s) {
         const Run& run = runs[(longest + (turned ? k - s : s)) % k];
         if (run.backward != turned)
-            for (int i = 0, place = wrapped(run.begin + run.count - 1); i < run.count; ++i, place = place == 0 ? nodes() - 1 : place - 1)
+            for (int i = 0, place = wrapped(run.begin + run.count - 1); i < run.count;
+                 ++i, place = place == 0 ? nodes() - 1 : place - 1)
                 laid_.push_back(node_at(place));
         else
-            for (int i = 0, place = run.begin; i < run.count; ++i, place = wrapped(place + 1)) laid_.push_back(node_at(place));
+            for (int i = 0, place = run.begin; i < run.count; ++i, place = wrapped(place + 1))
+                laid_.push_back(node_at(place));
     }
     const int begin = wrapped(runs[longest].begin + runs[longest].count);
     log_.push_back({begin, static_cast<int>(laid_.size()), saved_.size()});
@@ -106,7 +113,8 @@ void Sequence::exchange(const int* t, int k, int circle) {
 void Sequence::choose(int piece, int choice) {
     log_.push_back({piece, -1, index(choice_[index(piece)])});
     choice_[index(piece)] = choice;
-    at_[index(2 * piece)] = at_[index(2 * piece + 1)] = model_->choices[index(model_->pieces[index(piece)].first_choice + choice)].at;
+    at_[index(2 * piece)] = at_[index(2 * piece + 1)] =
+        model_->choices[index(model_->pieces[index(piece)].first_choice + choice)].at;
 }
 
 void Sequence::back(std::size_t mark) {
@@ -157,6 +165,8 @@ std::vector<Visit> Sequence::order() const {
     return read(place + 1, -1);
 }
 
-bool Sequence::keeps_rules() const { return !model_->rules.any || strandline::tour::keeps_rules(*model_, order()); }
+bool Sequence::keeps_rules() const {
+    return !model_->rules.any || strandline::tour::keeps_rules(*model_, order());
+}
 
 }  // namespace strandline::tour
