@@ -26,13 +26,18 @@ struct Span {
 };
 /// The robot path of one stroke.
 struct Drive {
-    std::vector<Leg> legs;               ///< lead, draw, loop or pivot, draw, ..., lead: end to end
+    std::vector<Leg> legs = {};             ///< lead, draw, loop or pivot, draw, ..., lead: end to end
     CurvatureState start, end;           ///< of the whole, |curvature| <= 1/min_radius
-    std::vector<Span> undrivable;        ///< named in the plan
+    std::vector<Span> undrivable = {};     ///< named in the plan
     int rounded = 0, loops = 0, pivots = 0;  ///< corners by treatment
     int exact = 0;
 };
-/// Never fails: what cannot be driven is listed. A pivot where the robot cannot is a loop, and counted as such. O(length / step).
+/// Never fails: what cannot be driven is listed. Consecutive legs meet in position and heading (not wrapped). What each corner becomes,
+/// first that the robot can do (docs/drive.md):
+///   a rake at the turning point of a robot that turns on the spot: pivot, always;
+///   a fill's corner: round, exact, pivot, loop;
+///   below the threshold: as `below` says, exact, then as `above` says;   from the threshold: as `above` says, then loop.
+/// O(length / step).
 Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, const Robot& robot, const Options& options);
 
 }  // namespace strandline::drive

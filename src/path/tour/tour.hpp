@@ -1,6 +1,7 @@
 #pragma once
-// The search: order and entries for the least rake-up length. Open generalised TSP: every element once, never split; an open line
-// is entered at either end, a closed one at any vertex and left there. Knows nothing of robots. See docs/tour.md.
+// The search: order and entries for the least rake-up length. Open generalised TSP: every element once, never
+// split; an open line is entered at either end, a closed one at any vertex and left there. Knows nothing of
+// robots. See docs/tour.md.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,18 +12,20 @@
 
 namespace strandline::tour {
 
-enum class Direction { any, forward, backward };   ///< open lines
-enum class Sense { any, ccw, cw };                 ///< closed lines
+enum class Direction { any, forward, backward };  ///< open lines
+enum class Sense { any, ccw, cw };                ///< closed lines
 
 struct Element {
     bool closed = false;
-    std::vector<Point> points;     ///< open: >= 2, only the ends matter to the length; closed: >= 3 (>= 1 served), first not repeated
-    std::optional<int> entry;      ///< fixed entry vertex
+    std::vector<Point> points;  ///< open: >= 2, only the ends matter to the length; closed: >= 3 (>= 1
+                                ///< served), first not repeated
+    std::optional<int> entry;   ///< fixed entry vertex
     Direction direction = Direction::any;
     Sense sense = Sense::any;
-    std::string name;              ///< for messages; may be empty
+    std::string name;  ///< for messages; may be empty
 };
-/// Element i is left at (or entered from) its vertex v, and j follows (or precedes) at its vertex w, next to each other.
+/// Element i is left at (or entered from) its vertex v, and j follows (or precedes) at its vertex w, next to
+/// each other.
 struct Link {
     int element_a = 0, vertex_a = 0, element_b = 0, vertex_b = 0;
 };
@@ -33,29 +36,30 @@ struct Problem {
     End end = End::free;
     Point end_point;
     std::vector<Link> links;
-    std::vector<std::pair<int, int>> before;       ///< first is finished before second begins
-    std::vector<std::vector<int>> groups;          ///< drawn without others between
+    std::vector<std::pair<int, int>> before;  ///< first is finished before second begins
+    std::vector<std::vector<int>> groups;     ///< drawn without others between
     bool keep_group_order = false;
 };
 struct Step {
-    int element = 0, entry = 0;    ///< open: 0 forward, n-1 backward
+    int element = 0, entry = 0;  ///< open: 0 forward, n-1 backward
     bool reversed = false;
     bool operator==(const Step&) const = default;
 };
 struct Options {
     std::uint64_t seed = 1;
-    std::uint64_t moves = 0;       ///< budget of kicks; 0: chosen from the size (about a second at 1,000 elements)
-    double time_limit = 0;         ///< s of CPU; 0: none. With a limit the result is not reproducible
+    std::uint64_t moves =
+        0;  ///< budget of kicks; 0: chosen from the size (50 ms at 100 elements, about a second at 1,000)
 };
 struct Tour {
     std::vector<Step> steps;
-    double length = 0;             ///< recounted: start leg, legs between, end leg
+    double length = 0;  ///< recounted: start leg, legs between, end leg
     bool proven_optimal = false;
-    bool reproducible = true;
-    std::uint64_t moves = 0;       ///< kicks done
-    bool stopped = false;          ///< by time or by the user
+    std::uint64_t moves = 0;  ///< kicks done
+    bool stopped = false;     ///< progress.stopped() ended it early: the best so far, not reproducible
 };
-/// Error: contradictory constraints by name, non-finite points, element without points. Deterministic for seed and moves.
+/// Error: contradictory constraints by name, non-finite points, element without points. Deterministic for
+/// seed and moves, unless stopped (the caller's stopped() holds any time limit: this room reads no clock).
+/// About 5 us a kick, O(n) memory.
 Outcome<Tour> solve(const Problem& problem, const Options& options = {}, const Progress& progress = {});
 /// Recount of a given order: Error when it is not valid for the problem (which step, why).
 Outcome<double> recount(const Problem& problem, const std::vector<Step>& steps);

@@ -96,7 +96,7 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
     f.corners_pivoted = ordered.pivots;
     f.direct = ordered.direct;
     f.tour_proven = ordered.tour.proven_optimal;
-    f.reproducible = ordered.tour.reproducible;
+    f.reproducible = !ordered.tour.stopped;
     for (const drive::Span& span : ordered.undrivable)
         plan.undrivable.push_back({"the rake leaves its path, metres", span.at, span.length});
     for (const order::Connection& c : ordered.connections)

@@ -1,0 +1,72 @@
+#include "path/tour/moves.hpp"
+
+namespace strandline::tour {
+namespace {
+
+/// How many candidates are tried at each depth: wide where it is cheap, narrow where branches multiply.
+constexpr int breadth[most_links] = {0, 5, 3, 2, 1};
+/// The most of them.
+constexpr int widest = 5;
+
+}  // namespace
+
+double Exchange::evaluate(Search& search, int node) {
+    t_[0] = node;
+    t_[1] = search.tour.mate(node);
+    return deeper(search, 1, search.tour.gap(t_[0], t_[1]));
+}
+
+double Exchange::deeper(Search& search, int k, double gain) {
+    Sequence& tour = search.tour;
+    const Model& model = tour.model();
+    const double tolerance = model.tolerance;
+    const int last = t_[2 * k - 1];
+    const Candidates& near = search.candidates;
+    const int end = near.first[static_cast<std::size_t>(last + 1)];
+    struct Try {
+        int node, mate;
+        double open;
+    };
+    Try tries[widest];
+    int count = 0;
+    for (int c = near.first[static_cast<std::size_t>(last)]; c < end; ++c) {
+        const auto [node, least] = near.all[static_cast<std::size_t>(c)];
+        if (gain - static_cast<double>(least) <= tolerance) break;  // the lists are sorted
+        const double left = gain - tour.gap(last, node);
+        if (left <= tolerance) continue;
+        bool taken = false;
+        for (int i = 0; i < 2 * k; ++i) taken = taken || t_[i] == node;
+        if (taken) continue;
+        const int mate = tour.mate(node);
+        const double open = left + tour.gap(node, mate);
+        if (count == breadth[k] && tries[count - 1].open >= open) continue;
+        int place = count < breadth[k] ? count++ : count - 1;
+        for (; place > 0 && tries[place - 1].open < open; --place) tries[place] = tries[place - 1];
+        tries[place] = {node, mate, open};
+    }
+    for (int i = 0; i < count; ++i) {
+        const auto [node, mate, open] = tries[i];
+        t_[2 * k] = node;
+        t_[2 * k + 1] = mate;
+        const double closed = open - tour.gap(mate, t_[0]);
+        if (closed > tolerance && tour.closes(t_, k + 1)) {
+            k_ = k + 1;
+            if (!model.rules.any) return closed;
+            const std::size_t mark = tour.mark();
+            tour.exchange(t_, k_);
+            const bool allowed = tour.keeps_rules();
+            tour.back(mark);
+            if (allowed) return closed;
+        }
+        if (k + 1 < most_links)
+            if (const double found = deeper(search, k + 1, open); found > 0) return found;
+    }
+    return 0;
+}
+
+void Exchange::apply(Search& search) const {
+    search.tour.exchange(t_, k_);
+    search.touched.insert(search.touched.end(), t_, t_ + 2 * k_);
+}
+
+}  // namespace strandline::tour

@@ -1,0 +1,161 @@
+#include "path/tour/search.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "path/tour/moves.hpp"
+
+namespace strandline::tour {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Owners in a candidate list. Ten rather than eight: clusters and drawings with doubled lines need the room.
+constexpr int candidate_count = 10;
+constexpr std::uint64_t most_default_kicks = 60'000;
+/// Descent steps between two questions whether to stop.
+constexpr int steps_between_polls = 256;
+
+/// Nodes whose links are to be looked at, each once.
+class Queue {
+  public:
+    explicit Queue(int nodes) : waiting_(at(nodes), false) {}
+    void push(int node) {
+        if (waiting_[at(node)]) return;
+        waiting_[at(node)] = true;
+        nodes_.push_back(node);
+    }
+    int pop() {
+        if (head_ == nodes_.size()) {
+            nodes_.clear();
+            head_ = 0;
+            return -1;
+        }
+        const int node = nodes_[head_++];
+        waiting_[at(node)] = false;
+        return node;
+    }
+    void clear() {
+        while (pop() >= 0) {
+        }
+    }
+
+  private:
+    std::vector<bool> waiting_;
+    std::vector<int> nodes_;
+    std::size_t head_ = 0;
+};
+
+class Descent {
+  public:
+    Descent(Search& search, const Progress& progress)
+        : search_(search), progress_(progress), queue_(search.tour.nodes()) {}
+
+    /// Every polygon whose links changed is entered anew; all that was touched is queued. The gain.
+    double settle() {
+        double gain = 0;
+        for (std::size_t k = 0; k < search_.touched.size(); ++k) {
+            const int node = search_.touched[k];
+            queue_.push(node);
+            if (!search_.tour.model().is_polygon(node / 2)) continue;
+            queue_.push(node ^ 1);
+            if (const double g = revertex_.evaluate(search_, node / 2); g > 0) {
+                revertex_.apply(search_);
+                queue_.push(search_.tour.mate(node));
+                queue_.push(search_.tour.mate(node ^ 1));
+                gain += g;
+            }
+        }
+        search_.touched.clear();
+        return gain;
+    }
+
+    double run() {
+        double gain = settle();
+        for (int node = queue_.pop(); node >= 0 && !stopped_; node = queue_.pop()) {
+            double g = exchange_.evaluate(search_, node);
+            if (g > 0) {
+                exchange_.apply(search_);
+            } else if (search_.tour.model().is_polygon(node / 2)) {
+                g = reinsert_.evaluate(search_, node / 2);
+                if (g > 0) reinsert_.apply(search_);
+            }
+            if (g > 0) gain += g + settle();
+            if (++steps_ % steps_between_polls == 0) stopped_ = progress_.stopped();
+        }
+        if (stopped_) queue_.clear();
+        return gain;
+    }
+
+    bool stopped() const { return stopped_; }
+    void touch_all() {
+        for (int place = 0; place < search_.tour.nodes(); ++place)
+            search_.touched.push_back(search_.tour.node_at(place));
+    }
+
+  private:
+    Search& search_;
+    const Progress& progress_;
+    Queue queue_;
+    Exchange exchange_;
+    Reinsert reinsert_;
+    Revertex revertex_;
+    std::uint64_t steps_ = 0;
+    bool stopped_ = false;
+};
+
+}  // namespace
+
+std::uint64_t default_kicks(int pieces) {
+    // 50 ms at 100 pieces, a second or two at 1,000, a few seconds beyond.
+    return std::min<std::uint64_t>(25 * static_cast<std::uint64_t>(std::max(pieces, 1)), most_default_kicks);
+}
+
+Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks,
+                 const Progress& progress) {
+    const Candidates candidates = find_candidates(model, candidate_count);
+    Search search{Sequence(model, first), candidates, std::mt19937_64(seed), {}};
+    Sequence& tour = search.tour;
+    Descent descent(search, progress);
+    choose_all_vertices(search);
+    descent.touch_all();
+    descent.run();
+    if (choose_all_vertices(search) > 0) descent.run();
+    tour.forget();
+
+    Searched result;
+    double length = tour.length();
+    Bridge bridge;
+    const bool can_kick = tour.nodes() >= 8;
+    const std::uint64_t reports = std::max<std::uint64_t>(1, kicks / 100);
+    for (; can_kick && result.moves < kicks && !descent.stopped(); ++result.moves) {
+        if (result.moves % reports == 0)
+            progress.report(fmt::format("rake up {:.6g}", length),
+                            static_cast<double>(result.moves) / static_cast<double>(kicks));
+        double gain = bridge.evaluate(search);
+        bridge.apply(search);
+        if (!tour.keeps_rules()) {
+            search.touched.clear();
+            tour.back(0);
+            continue;
+        }
+        gain += descent.run();
+        if (gain < 0) {
+            tour.back(0);
+            continue;
+        }
+        if (gain > model.tolerance) {
+            for (int i = 0; i < 8; ++i) gain += choose_vertices_around(search, bridge.nodes()[i] / 2);
+            gain += descent.run();
+        }
+        length -= gain;
+        tour.forget();
+    }
+    progress.report(fmt::format("rake up {:.6g}", length), 1);
+    result.stopped = descent.stopped();
+    result.order = tour.order();
+    return result;
+}
+
+}  // namespace strandline::tour

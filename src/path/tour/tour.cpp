@@ -1,0 +1,51 @@
+#include "path/tour/tour.hpp"
+
+#include <algorithm>
+
+#include "path/tour/exact.hpp"
+#include "path/tour/model.hpp"
+#include "path/tour/order.hpp"
+#include "path/tour/search.hpp"
+
+namespace strandline::tour {
+namespace {
+
+/// Transitions the proof may take: about 50 ms.
+constexpr std::uint64_t exact_work = 500'000;
+
+}  // namespace
+
+Outcome<Tour> solve(const Problem& problem, const Options& options, const Progress& progress) {
+    const auto model = build_model(problem);
+    if (!model) return tl::unexpected(model.error());
+    const auto first = first_order(*model);
+    if (!first) return tl::unexpected(first.error());
+
+    // A small problem is proven from a short search: most often that leaves nothing to search for.
+    const std::uint64_t some = default_kicks(model->piece_count());
+    const std::uint64_t kicks = options.moves > 0 ? options.moves : some;
+    const bool small = model->piece_count() <= most_exact_pieces;
+    Searched searched =
+        improve(*model, *first, options.seed, small ? std::min(kicks, some) : kicks, progress);
+    Tour tour;
+    const auto state = [&](const std::vector<Visit>& order) {
+        tour.steps = steps_of(*model, order);
+        tour.length = length_of(problem, tour.steps);
+    };
+    tour.moves = searched.moves;
+    tour.stopped = searched.stopped;
+    state(searched.order);
+    if (!small || tour.stopped) return tour;
+    if (const auto proven = prove(*model, searched.order, tour.length, exact_work, progress)) {
+        tour.proven_optimal = true;
+        state(*proven);
+    } else if (kicks > some) {
+        searched = improve(*model, searched.order, options.seed + 1, kicks - some, progress);
+        tour.moves += searched.moves;
+        tour.stopped = searched.stopped;
+        state(searched.order);
+    }
+    return tour;
+}
+
+}  // namespace strandline::tour

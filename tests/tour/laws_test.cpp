@@ -1,0 +1,155 @@
+// Laws of the search on random problems.
+#include <gtest/gtest.h>
+
+#include "path/tour/model.hpp"
+#include "path/tour/order.hpp"
+#include "path/tour/search.hpp"
+#include "tour/cases.hpp"
+
+namespace strandline::tour {
+namespace {
+
+TEST(TourLaws, WithoutRulesTheTourIsTheBestOfAllOrders) {
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+        Dice dice{std::mt19937_64(seed)};
+        const Problem problem = random_problem(dice, 1 + dice.below(5));
+        const auto tour = solve(problem);
+        ASSERT_TRUE(tour) << seed << ": " << sentence(tour.error());
+        EXPECT_TRUE(tour->proven_optimal) << seed;
+        EXPECT_NEAR(tour->length, least_by_trying(problem), 1e-9) << seed;
+    }
+}
+
+TEST(TourLaws, SevenLinesAreInTheBestOfAllOrders) {
+    for (std::uint64_t seed = 1; seed <= 1; ++seed) {
+        Dice dice{std::mt19937_64(seed)};
+        Problem problem = random_problem(dice, 7);
+        for (Element& element : problem.elements) element.closed = false;
+        const auto tour = solve(problem);
+        ASSERT_TRUE(tour);
+        EXPECT_NEAR(tour->length, least_by_trying(problem), 1e-9) << seed;
+    }
+}
+
+TEST(TourLaws, WithRulesTheTourIsTheBestOfAllAllowedOrdersOrRefused) {
+    int solved = 0, refused = 0;
+    for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+        Dice dice{std::mt19937_64(seed)};
+        Problem problem = random_problem(dice, 1 + dice.below(5));
+        add_rules(dice, problem);
+        const auto tour = solve(problem);
+        const double least = least_by_trying(problem);
+        if (!tour) {
+            // Some refusals are of form: a link to itself, a link given twice. Then there may be an order all
+            // the same.
+            ++refused;
+            const bool form = tour.error().reason.find("itself") != std::string::npos ||
+                              tour.error().reason.find("second time") != std::string::npos;
+            if (!form) {
+                EXPECT_EQ(least, std::numeric_limits<double>::infinity())
+                    << seed << ": " << sentence(tour.error());
+            }
+            continue;
+        }
+        ++solved;
+        const auto length = recount(problem, tour->steps);
+        ASSERT_TRUE(length) << seed << ": " << sentence(length.error());
+        EXPECT_NEAR(*length, tour->length, 1e-9) << seed;
+        EXPECT_NEAR(tour->length, least, 1e-9) << seed;
+    }
+    EXPECT_GT(solved, 200);
+    EXPECT_GT(refused, 50);
+}
+
+TEST(TourLaws, LargerProblemsKeepTheirRulesToo) {
+    int solved = 0;
+    for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+        Dice dice{std::mt19937_64(seed)};
+        Problem problem = random_problem(dice, 45 + dice.below(20));
+        add_rules(dice, problem);
+        const auto tour = solve(problem, {.moves = 25});
+        if (!tour) continue;
+        ++solved;
+        const auto length = recount(problem, tour->steps);
+        ASSERT_TRUE(length) << seed << ": " << sentence(length.error());
+        EXPECT_NEAR(*length, tour->length, 1e-9) << seed;
+    }
+    EXPECT_GT(solved, 30);
+}
+
+TEST(TourLaws, NeverLongerThanNearestNeighbour) {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        Dice dice{std::mt19937_64(seed)};
+        Problem problem = random_problem(dice, seed % 3 == 0 ? 2 + dice.below(10) : 45 + dice.below(30));
+        if (seed % 2 == 0) add_rules(dice, problem);
+        const auto model = build_model(problem);
+        if (!model) continue;
+        const auto nearest = first_order(*model);
+        if (!nearest) continue;
+        const auto tour = solve(problem, {.moves = 10});
+        ASSERT_TRUE(tour);
+        EXPECT_LE(tour->length, length_of(problem, steps_of(*model, *nearest)) + 1e-9) << seed;
+    }
+}
+
+TEST(TourLaws, TurningMirroringAndScalingKeepTheLength) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        Dice dice{std::mt19937_64(seed)};
+        const Problem problem = random_problem(dice, 2 + dice.below(9));
+        const double c = 3 * std::cos(0.7), s = 3 * std::sin(0.7);
+        for (const Affine& map : {Affine{c, s, -s, c, 5, -2}, Affine{3, 0, 0, -3, 1, 1}}) {
+            Problem moved = problem;
+            for (Element& element : moved.elements)
+                for (Point& p : element.points) p = apply(map, p);
+            if (moved.start) moved.start = apply(map, *moved.start);
+            moved.end_point = apply(map, moved.end_point);
+            EXPECT_NEAR(solve(moved)->length, 3 * solve(problem)->length, 1e-6) << seed;
+        }
+    }
+}
+
+TEST(TourLaws, TheSameCallGivesTheSameTour) {
+    Dice dice{std::mt19937_64(5)};
+    const Problem problem = random_problem(dice, 120);
+    const auto first = solve(problem, {.seed = 3, .moves = 300}),
+               second = solve(problem, {.seed = 3, .moves = 300});
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->steps, second->steps);
+    EXPECT_EQ(first->moves, 300U);
+}
+
+TEST(TourLaws, MoreMovesNeverMakeItLonger) {
+    Dice dice{std::mt19937_64(6)};
+    const Problem problem = random_problem(dice, 150);
+    double last = std::numeric_limits<double>::infinity();
+    for (const std::uint64_t moves : {1U, 10U, 100U, 1000U}) {
+        const double length = solve(problem, {.moves = moves})->length;
+        EXPECT_LE(length, last);
+        last = length;
+    }
+}
+
+TEST(TourLaws, AStoppedSearchStillGivesAWholeTour) {
+    Dice dice{std::mt19937_64(7)};
+    const Problem problem = random_problem(dice, 300);
+    Progress progress;
+    int asked = 0;
+    progress.stopped = [&] { return ++asked > 3; };
+    const auto tour = solve(problem, {}, progress);
+    ASSERT_TRUE(tour);
+    EXPECT_TRUE(tour->stopped);
+    EXPECT_FALSE(tour->proven_optimal);
+    EXPECT_TRUE(recount(problem, tour->steps));
+}
+
+TEST(TourLaws, PointsInOneHeapAreServed) {
+    Problem problem;
+    problem.elements.assign(3000, {false, {{1, 1}, {1, 1}}, {}, {}, {}, {}});
+    problem.elements.push_back({true, {{9, 9}, {8, 9}, {9, 8}}, {}, {}, {}, {}});
+    const auto tour = solve(problem, {.moves = 50});
+    ASSERT_TRUE(tour);
+    EXPECT_NEAR(tour->length, std::sqrt(113.0), 1e-9);
+}
+
+}  // namespace
+}  // namespace strandline::tour
