@@ -164,8 +164,9 @@ Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, con
             if (treatment == Treatment::round) {
                 const double share = i == 1 ? end_share : shared,
                              share_after = i + 1 == edges.size() ? end_share : shared;
-                const auto arc = rounded(before, edge, turn, options.corner_radius, share * length_before,
-                                         std::min(share_after * length(edge), end));
+                const auto arc =
+                    rounded(before, edge, turn, stroke.fill ? options.fill_radius : options.corner_radius,
+                            share * length_before, std::min(share_after * length(edge), end));
                 if (!arc) continue;
                 const Curve piece = joined(arc->arc, cut(edge, arc->cut, end));
                 Followed bent = build.followed(piece, end_delta);

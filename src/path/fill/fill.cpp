@@ -10,20 +10,19 @@ namespace strandline::fill {
 namespace {
 
 constexpr double bare_share = 0.03;  // of the area: less is corners that no rake can reach
+// Joints of a pass that turn less (radians) are a bend drawn by chords, where that bulges by less than the
+// tolerance.
+constexpr double smooth_turn = 0.5;
 
 Stroke stroke_of(const Polyline& line, int element, const Options& options) {
     Stroke stroke;
     stroke.element = element;
     stroke.one_way = stroke.fill = true;
     stroke.pins = options.pins;
-    double s = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const double d = distance(line[i - 1], line[i]);
-        if (d <= 0) continue;
-        stroke.rake_path.push_back(straight({line[i - 1], heading(line[i] - line[i - 1])}, d));
-        s += d;
-    }
-    stroke.nodes = {{0, line.front(), -1}, {s, line.back(), -1}};
+    // Rings come as chords of their arcs: a robot that took each joint for a corner would stop there.
+    stroke.rake_path =
+        fitted(path_through(line, false), {.tolerance = options.tolerance, .smooth_angle = smooth_turn});
+    stroke.nodes = {{0, line.front(), -1}, {length(stroke), line.back(), -1}};
     return stroke;
 }
 

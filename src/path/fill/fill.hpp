@@ -27,6 +27,8 @@ struct Options {
     double tolerance = 0.002;  ///< metres
     double turn_radius =
         0;  ///< metres: least radius of the rake path in turns, as far as there is room; 0: sharp turns
+    bool round_corners =
+        true;  ///< bend passes by turn_radius here; false: whoever drives them rounds their corners
     bool rake_turns =
         true;  ///< zigzag: the rake stays down from line to line where that stays inside; false: it is lifted
     int pins = 7;  ///< written into the strokes

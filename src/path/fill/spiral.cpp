@@ -11,6 +11,8 @@ constexpr double before_closure = 0.5;        // of the width: where the step le
 constexpr double last_before_closure = 0.25;  // of the width: the border ring closes but for its round wedge
 constexpr double most_left = 0.1;             // of a ring: small ones are closed further
 constexpr double longest_step = 1.5;          // of the spacing, raked, within a nesting branch
+constexpr double slant = 2.0;  // of the spacing: how far along the next ring the step leads where turns are
+                               // bounded, so that both its bends stay below 30 degrees
 constexpr double near_next = 1.06;   // of the spacing: where a ring counts as running beside the next
 constexpr double bend_weight = 0.5;  // a seam in a bend leaves gaps: its lost arc length counts half
 constexpr int seams = 16;            // places tried for the innermost ring's start
@@ -57,6 +59,9 @@ void lay_seams(Chain& chain, const std::vector<Ring>& rings, double start, const
                     at(before, came.start + came.span) - at(before, came.start + came.span - ahead);
                 const Point mine = at(ring, start + 1e-3 * w) - at(ring, start);
                 if (dot(motion, mine) < 0) seam.span = -seam.span;
+                if (options.turn_radius > 0)
+                    seam.start +=
+                        std::copysign(std::min(slant * options.spacing, ring.length / 4), seam.span);
             }
             const double span = ring.length - std::min(left * w, most_left * ring.length);
             seam.span = std::copysign(span, seam.span);
@@ -153,6 +158,7 @@ std::vector<Pass> spiral_passes(const Region& region, const std::string& place, 
     const std::vector<Ring> rings = rings_of(room, options);
     const Order order = driving_order(rings, options);
     const Regions floor = inset(room, -0.02 * options.width);
+    const double longest = options.turn_radius > 0 ? std::hypot(longest_step, slant + 1) : longest_step;
     std::vector<Pass> passes;
     int last_ring = -1;
     for (Chain& chain : chains_of(order)) {
@@ -169,7 +175,9 @@ std::vector<Pass> spiral_passes(const Region& region, const std::string& place, 
 
         Polyline line;
         const auto finish = [&](Polyline way) {
-            if (line.size() >= 2) passes.push_back({std::move(way), rounded(line, options.turn_radius)});
+            if (line.size() >= 2)
+                passes.push_back(
+                    {std::move(way), rounded(line, options.round_corners ? options.turn_radius : 0)});
             line.clear();
         };
         Polyline way;
@@ -182,7 +190,7 @@ std::vector<Pass> spiral_passes(const Region& region, const std::string& place, 
             const Polyline part = along(ring, seam.start, seam.span);
             const bool shifted = i > 0 && std::abs(seam.shift) > options.width / 4;
             if (!line.empty() &&
-                (shifted || distance(line.back(), part.front()) > longest_step * options.spacing ||
+                (shifted || distance(line.back(), part.front()) > longest * options.spacing ||
                  !sees(floor, line.back(), part.front()))) {
                 finish(std::exchange(way, {}));
                 if (shifted) way = along(ring, seam.start - seam.shift, seam.shift);

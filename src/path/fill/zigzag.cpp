@@ -342,7 +342,7 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
                 const auto next = std::ranges::min_element(
                     *rings, {}, [&](const Ring& ring) { return nearest(ring, from).distance; });
                 const Polyline line = along(*next, nearest(*next, from).s, next->length);
-                passes.push_back({{}, rounded(line, options.turn_radius)});
+                passes.push_back({{}, rounded(line, options.round_corners ? options.turn_radius : 0)});
                 rings->erase(next);
             }
     }

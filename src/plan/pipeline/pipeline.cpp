@@ -39,6 +39,7 @@ order::Options order_options(const Options& options, const Robot& robot) {
     o.tour.moves = static_cast<std::uint64_t>(options.tour.moves);
     o.drive.corner_threshold = options.corner.threshold;
     o.drive.corner_radius = options.corner.radius;
+    o.drive.fill_radius = options.corner.fill_radius;
     o.drive.below = options.corner.below == "round" ? drive::Below::round : drive::Below::exact;
     o.drive.above = options.corner.above == "pivot"   ? drive::Above::pivot
                     : options.corner.above == "round" ? drive::Above::round
