@@ -8,6 +8,8 @@ constexpr int breadth[most_links] = {0, 5, 3, 2, 1};
 /// The most of them.
 constexpr int widest = 5;
 
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
 }  // namespace
 
 double Exchange::evaluate(Search& search, int node) {
@@ -21,16 +23,18 @@ double Exchange::deeper(Search& search, int k, double gain) {
     const Model& model = tour.model();
     const double tolerance = model.tolerance;
     const int last = t_[2 * k - 1];
-    const Candidates& near = search.candidates;
-    const int end = near.first[static_cast<std::size_t>(last + 1)];
+    const auto& lists = search.candidates;
+    const bool loose = last >= model.loose_from;
+    const Candidates::Near* near = loose ? search.longest.data() : lists.all.data() + lists.first[at(last)];
+    const Candidates::Near* end = loose ? near + search.longest.size() : lists.all.data() + lists.first[at(last + 1)];
     struct Try {
         int node, mate;
         double open;
     };
     Try tries[widest];
     int count = 0;
-    for (int c = near.first[static_cast<std::size_t>(last)]; c < end; ++c) {
-        const auto [node, least] = near.all[static_cast<std::size_t>(c)];
+    for (; near != end; ++near) {
+        const auto [node, least] = *near;
         if (gain - static_cast<double>(least) <= tolerance) break;  // the lists are sorted
         const double left = gain - tour.gap(last, node);
         if (left <= tolerance) continue;

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "path/tour/moves.hpp"
 
@@ -12,8 +14,10 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Owners in a candidate list. Ten rather than eight: clusters and drawings with doubled lines need the room.
-constexpr int candidate_count = 10;
+int candidate_count = getenv("CC") ? atoi(getenv("CC")) : 10;
 constexpr std::uint64_t most_default_kicks = 60'000;
+/// Both ends of so many / 2 of the longest links.
+constexpr int longest_count = 24;
 /// Descent steps between two questions whether to stop.
 constexpr int steps_between_polls = 256;
 
@@ -46,6 +50,26 @@ class Queue {
     std::vector<int> nodes_;
     std::size_t head_ = 0;
 };
+
+double HP = getenv("HP") ? atof(getenv("HP")) : 2;
+double T0 = getenv("TT") ? atof(getenv("TT")) : 0.1;
+/// The nodes at the ends of the longest links: where a loose end is best put.
+void find_longest(Search& search) {
+    const Sequence& tour = search.tour;
+    search.longest.clear();
+    if (tour.model().loose_from == tour.nodes()) return;
+    std::vector<std::pair<double, int>> links;
+    for (int node = 0; node < tour.model().loose_from; ++node) links.emplace_back(-tour.gap(node, tour.mate(node)), node);
+    const auto count = std::min<std::ptrdiff_t>(longest_count, static_cast<std::ptrdiff_t>(links.size()));
+    std::partial_sort(links.begin(), links.begin() + count, links.end());
+    for (std::ptrdiff_t k = 0; k < count; ++k) search.longest.push_back({links[static_cast<std::size_t>(k)].second, 0});
+}
+
+/// In (0, 1].
+double uniform(std::mt19937_64& random) {
+    constexpr double steps = 9007199254740992.0;   // 2^53: the doubles of one binade
+    return (static_cast<double>(random() >> 11) + 1) / steps;
+}
 
 class Descent {
   public:
@@ -115,24 +139,38 @@ std::uint64_t default_kicks(int pieces) {
 Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks,
                  const Progress& progress) {
     const Candidates candidates = find_candidates(model, candidate_count);
-    Search search{Sequence(model, first), candidates, std::mt19937_64(seed), {}};
+    Search search{Sequence(model, first), candidates, std::mt19937_64(seed), {}, {}};
     Sequence& tour = search.tour;
     Descent descent(search, progress);
     choose_all_vertices(search);
+    find_longest(search);
     descent.touch_all();
     descent.run();
     if (choose_all_vertices(search) > 0) descent.run();
     tour.forget();
 
     Searched result;
-    double length = tour.length();
+    double length = tour.length(), best = length;
+    // What is accepted beyond a gain: in every round of kicks a loss that shrinks to nothing, in shares of the mean leg.
+    const double leg = length / std::max(1, tour.nodes() / 2);
+    std::uint64_t round_begin = 0, round_size = kicks;
+    std::vector<Visit> kept;
+    bool away = false;   // from the best, which is then in `kept`
     Bridge bridge;
     const bool can_kick = tour.nodes() >= 8;
-    const std::uint64_t reports = std::max<std::uint64_t>(1, kicks / 100);
+    const auto renewal = static_cast<std::uint64_t>(tour.nodes());
+    const std::uint64_t reports = std::max<std::uint64_t>(1, std::min<std::uint64_t>(kicks / 100, 10'000));
     for (; can_kick && result.moves < kicks && !descent.stopped(); ++result.moves) {
         if (result.moves % reports == 0)
-            progress.report(fmt::format("rake up {:.6g}", length),
+            progress.report(fmt::format("rake up {:.6g}", best),
                             static_cast<double>(result.moves) / static_cast<double>(kicks));
+        if (result.moves % renewal == 0) find_longest(search);
+        if (result.moves - round_begin >= round_size) {
+            round_begin = result.moves;
+            round_size *= 2;
+        }
+        const double share = static_cast<double>(result.moves - round_begin) / static_cast<double>(round_size);
+        const double heat = T0 * leg * std::pow(std::max(0.0, 1 - share / 0.9), HP);
         double gain = bridge.evaluate(search);
         bridge.apply(search);
         if (!tour.keeps_rules()) {
@@ -141,7 +179,8 @@ Searched improve(const Model& model, const std::vector<Visit>& first, std::uint6
             continue;
         }
         gain += descent.run();
-        if (gain < 0) {
+        const double allowed = heat * std::log(uniform(search.random));
+        if (gain < 0 && gain < allowed) {
             tour.back(0);
             continue;
         }
@@ -149,9 +188,26 @@ Searched improve(const Model& model, const std::vector<Visit>& first, std::uint6
             for (int i = 0; i < 8; ++i) gain += choose_vertices_around(search, bridge.nodes()[i] / 2);
             gain += descent.run();
         }
+        if (gain < -model.tolerance && !away) {
+            // The best is left: it is what was there before this kick.
+            const std::size_t now = tour.mark();
+            (void)now;
+            auto here = tour.order();
+            tour.back(0);
+            kept = tour.order();
+            tour = Sequence(model, here);
+            away = true;
+        }
         length -= gain;
+        if (length < best - model.tolerance) {
+            best = length;
+            away = false;
+        }
         tour.forget();
     }
+    if (away) tour = Sequence(model, kept);
+    if (choose_all_vertices(search) > 0) search.touched.clear();
+    length = tour.length();
     progress.report(fmt::format("rake up {:.6g}", length), 1);
     result.stopped = descent.stopped();
     result.order = tour.order();
