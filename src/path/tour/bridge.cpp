@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <algorithm>
 
 #include "path/tour/moves.hpp"
@@ -8,10 +7,13 @@ namespace {
 
 /// Pieces in a run at most: long enough to leave the basin, short enough that the repair stays local.
 constexpr int longest_run = 10;
+/// Kicks in a hundred that are strewn in the plane; they alone join strands that are far apart in the order.
+constexpr int strewn_share = 40;
+/// Steps of their walks.
+constexpr int walk_steps = 4;
 
-int WP = getenv("WP") ? atoi(getenv("WP")) : 50, walk_steps = getenv("WS") ? atoi(getenv("WS")) : 3;
-/// Four links near each other in the plane, wherever they are in the order: walks through the candidate lists from one node.
-/// Places of their first nodes, ascending; false when they are not four.
+/// Four links near each other in the plane, wherever they are in the order: walks through the candidate lists
+/// from one node. Places of their first nodes, ascending; false when they are not four.
 bool strewn(Search& search, int* places) {
     const Sequence& tour = search.tour;
     const int loose_from = tour.model().loose_from;
@@ -22,7 +24,8 @@ bool strewn(Search& search, int* places) {
             const int first = search.candidates.first[static_cast<std::size_t>(node)];
             const int count = search.candidates.first[static_cast<std::size_t>(node + 1)] - first;
             if (count == 0) break;
-            const int next = search.candidates.all[static_cast<std::size_t>(first + below(search.random, count))].node;
+            const int next =
+                search.candidates.all[static_cast<std::size_t>(first + below(search.random, count))].node;
             if (next < loose_from) node = next ^ below(search.random, 2);
         }
         if (node >= loose_from) return false;
@@ -39,7 +42,7 @@ double Bridge::evaluate(Search& search) {
     const Sequence& tour = search.tour;
     const int pieces = tour.nodes() / 2;
     int places[4], link[8];
-    if (below(search.random, 100) >= WP || !strewn(search, places)) {
+    if (below(search.random, 100) >= strewn_share || !strewn(search, places)) {
         const int most = std::clamp((pieces - 1) / 3, 1, longest_run);
         places[0] = 2 * below(search.random, pieces) + 1;
         for (int i = 1; i < 4; ++i) places[i] = places[i - 1] + 2 * (1 + below(search.random, most));
