@@ -167,10 +167,11 @@ TEST(Drive, ACircleIsDrawnInOneLeg) {
 }
 
 TEST(Drive, WhatTheRakeCannotFollowIsListedByPlace) {
-    const Stroke tight = along({{{2, 3}, 0}, {{2, 0, 0}, {0.5, 20, 0}, {2, 0, 0}}});
+    const Stroke tight = along({{{2, 3}, 0}, {{2, 0, 0}, {0.1, 20, 0}, {2, 0, 0}}});
     const drive::Drive result = drive::drive(tight, 0, 0, false, beachbot(), {});
     ASSERT_FALSE(result.undrivable.empty());
     for (const drive::Span& span : result.undrivable) EXPECT_NEAR(distance(span.at, {4, 3}), 0, 0.3);
+    expect_drivable(result, beachbot());
 }
 
 TEST(Drive, NothingGivesNothing) { EXPECT_TRUE(drive::drive({}, 0, 0, false, beachbot(), {}).legs.empty()); }

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <random>
 
 #include "machine/robot/robot.hpp"
 
@@ -83,6 +84,27 @@ TEST(Profile, ASyntaxErrorNamesItsLine) {
     EXPECT_TRUE(holds(refusal("base = \"rover\""), "line 1, base"));
     EXPECT_TRUE(holds(refusal("base = 3"), "base"));
     EXPECT_NE(refusal(std::string("\xff\xfe\x00", 3)), "accepted");
+}
+
+TEST(Profile, AnyBytesGiveAValidRobotOrOneError) {
+    std::mt19937_64 random(1);
+    const std::string whole = write_robot(*builtin_robot("beachbot"));
+    int accepted = 0;
+    for (int i = 0; i < 500; ++i) {
+        std::string text = whole;
+        for (int change = 0; change < 1 + i % 3; ++change)
+            text[random() % text.size()] = static_cast<char>(random() % 256);
+        if (i % 5 == 0) text.resize(random() % text.size());
+        const auto robot = read_robot(text, "my.toml");
+        if (robot) {
+            EXPECT_TRUE(valid(*robot, ""));
+            ++accepted;
+        } else {
+            EXPECT_TRUE(holds(robot.error().place, "my.toml")) << sentence(robot.error());
+        }
+    }
+    EXPECT_GT(accepted, 0);
+    EXPECT_LT(accepted, 500);
 }
 
 TEST(Profile, TheDocsPageListsEveryField) {

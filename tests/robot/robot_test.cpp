@@ -91,6 +91,7 @@ TEST(Robot, AWrongFieldIsRefusedByNameAndRange) {
         }
     }
     ASSERT_FALSE(with_field(beachbot(), "min_radus", "1"));
+    EXPECT_NE(sentence(with_field(beachbot(), "wheels", "1").error()).find("profile"), std::string::npos);
 }
 
 TEST(Robot, ARadiusOfZeroNeedsARobotThatPivots) {

@@ -1,5 +1,6 @@
 #pragma once
-// Paths of an SVG -> elements in metres on the canvas: what is to be raked, as lines and regions. y up, origin at the canvas's lower left.
+// Paths of an SVG -> elements in metres on the canvas: what is to be raked, as lines and regions. y up,
+// origin at the canvas's lower left.
 #include <optional>
 #include <string>
 #include <variant>
@@ -13,7 +14,8 @@
 
 namespace strandline {
 
-/// A line to be drawn: a polyline (open) or a polygon (closed). The path is exact: its nodes are the drawing's own.
+/// A line to be drawn: a polyline (open) or a polygon (closed). The path is exact: its nodes are the
+/// drawing's own.
 struct LineElement {
     Path path;
     int pins = 1;
@@ -28,7 +30,7 @@ struct RegionElement {
 struct Element {
     std::string id, layer;
     std::variant<LineElement, RegionElement> what;
-    int inside = -1;   ///< the smallest element whose outline encloses this one, -1: none
+    int inside = -1;  ///< the smallest element whose outline encloses this one, -1: none
     bool operator==(const Element&) const = default;
 };
 bool is_region(const Element& element);
@@ -43,12 +45,12 @@ struct Canvas {
 
 enum class Place { fit, actual, width, scale };
 struct DrawingOptions {
-    Canvas canvas;                       ///< metres
-    double margin = 0.5;                 ///< metres kept free round the drawing (fit)
+    Canvas canvas{};      ///< metres
+    double margin = 0.5;  ///< metres kept free round the drawing (fit)
     Place place = Place::fit;
     double place_width = 0;              ///< metres, for Place::width: the drawing's width on the ground
-    double scale_denominator = 0;        ///< for Place::scale, 1:50 -> 50: a metre of the SVG's own size becomes 1/50 m
-    std::optional<Point> position;       ///< metres: lower left corner of the drawing's box; default: centred
+    double scale_denominator = 0;        ///< for Place::scale, 1:50 -> 50: a metre of the SVG becomes 1/50 m
+    std::optional<Point> position = {};  ///< metres: lower left corner of the drawing's box; default: centred
     double rotate = 0;                   ///< radians, counter-clockwise, before fitting
     bool mirror = false;                 ///< left and right swapped, before rotating
     double tolerance = 0.002;            ///< metres: flattening of regions
@@ -60,27 +62,34 @@ struct DrawingOptions {
 
 /// What was done to the file's shapes on the way.
 struct DrawingCounts {
-    int shapes = 0, joined = 0, duplicates = 0, too_short = 0, too_small = 0, bare = 0, merged = 0, wide_strokes = 0;
+    int shapes = 0, joined = 0, duplicates = 0, too_short = 0, too_small = 0, bare = 0, merged = 0,
+        wide_strokes = 0;
     bool operator==(const DrawingCounts&) const = default;
 };
 struct Drawing {
     Canvas canvas;
-    double scale = 1;                    ///< metres per SVG user unit
+    double scale = 1;                         ///< metres per SVG user unit
     std::optional<double> scale_denominator;  ///< 1 : this, against the SVG's physical size, where it has one
-    Affine to_canvas;                    ///< user units -> metres
+    Affine to_canvas;                         ///< user units -> metres
     std::vector<Element> elements;
-    std::optional<Point> start;          ///< from a stroke of #00ff00: its first point
+    std::optional<Point> start;  ///< from a stroke of #00ff00: its first point
     DrawingCounts counts;
     Warnings warnings;
     bool operator==(const Drawing&) const = default;
 };
 
-/// Fill -> region, stroke -> line; fill and stroke of the same ink on one shape -> one region; a stroke wider than the rake -> a region
-/// (where the robot's profile asks for it); nothing is raked twice; ends that meet are joined; who encloses whom.
-/// Error: nothing to draw, zero-size canvas, margin larger than the canvas, a scale that is not finite. O(n log n).
-Outcome<Drawing> make_drawing(const svg::Document& document, const Robot& robot, const DrawingOptions& options, const Progress& progress = {});
+/// Fill -> region, stroke -> line; fill and stroke of the same ink on one shape -> one region; a stroke wider
+/// than the rake -> a region (where the robot's profile asks for it); nothing is raked twice; ends that meet
+/// are joined; who encloses whom. Error: nothing to draw, zero-size canvas, margin larger than the canvas, a
+/// scale that is not finite. O(n log n).
+Outcome<Drawing> make_drawing(const svg::Document& document, const Robot& robot,
+                              const DrawingOptions& options, const Progress& progress = {});
 
-/// "A4", "a3-landscape", "210x297mm" -> metres.
+/// "A4", "a3-landscape", "letter", "legal", "210x297mm", "14x14" (bare: metres) -> metres. A0 to A6 by ISO
+/// 216. Error: unknown, or a side that is not above zero.
 Outcome<Canvas> canvas_named(const std::string& name);
+/// The defaults above belong to a beach of 14 m; here they are scaled down (never up) by the canvas's shorter
+/// side, so that a sheet of A4 has a margin of 7.5 mm and loses no line over 0.15 mm.
+DrawingOptions options_for(const Canvas& canvas);
 
 }  // namespace strandline

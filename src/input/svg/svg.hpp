@@ -27,9 +27,10 @@ enum class FillRule { nonzero, even_odd };
 enum class LineCap { butt, round, square };
 enum class LineJoin { miter, round, bevel };
 
-/// One shape element of the file. Every path is in the root's user units with all transforms applied.
+/// One shape element of the file that draws something: it has a fill or a stroke. Every path is in the root's user units with all
+/// transforms applied.
 struct Shape {
-    std::string id;                    ///< the element's id, or "path@LINE:COLUMN" where it has none
+    std::string id;                    ///< unique: the element's id, "path@LINE:COLUMN" without one, "ID@LINE:COLUMN" when taken
     std::string layer;                 ///< names of the Inkscape layers around it, joined by "/"; "" outside
     std::string place;                 ///< for messages: "line 12, <path> #eye"
     int line = 0;                      ///< in the file, 1-based

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+
+#include "machine/follow/nodes.hpp"
 
 namespace strandline {
 namespace {
@@ -17,41 +21,6 @@ constexpr double most_substeps = 300;
 // metre of rake.
 constexpr double heading_drift = 2e-5;
 constexpr double most_parts = 64;
-// Curvatures (1/m), headings (rad) and places (m) nearer than this are one: rounding at the joints of pieces.
-constexpr double rounding = 1e-9;
-
-/// A place on the rake path, both sides of a corner apart.
-struct Node {
-    double s = 0;
-    Pose rake;             ///< heading unwrapped along the path
-    double curvature = 0;  ///< of the rake path, just after the node; the last node of a piece: just before
-    double step = 0;       ///< to the next node; 0: a joint or a corner, the next node is at the same place
-    double next_curvature = 0;  ///< at the far end of the step
-};
-
-std::vector<Node> nodes_of(const std::vector<Curve>& rake_path, double step) {
-    std::vector<Node> nodes;
-    double s = 0, heading_before = 0;
-    for (const Curve& curve : rake_path) {
-        Pose at = curve.start;
-        at.heading = nodes.empty() ? at.heading : heading_before + wrap_angle(at.heading - heading_before);
-        for (const Clothoid& piece : curve.pieces) {
-            if (piece.length <= rounding) continue;
-            const double steps = std::max(1.0, std::ceil(piece.length / step - 1e-9));
-            const double h = piece.length / steps;
-            for (double i = 0; i <= steps; ++i) {
-                const double local = i < steps ? i * h : piece.length;
-                nodes.push_back({s + local, advanced(at, piece, local),
-                                 piece.curvature + piece.sharpness * local, i < steps ? h : 0,
-                                 piece.curvature + piece.sharpness * std::min(local + h, piece.length)});
-            }
-            at = advanced(at, piece, piece.length);
-            s += piece.length;
-            heading_before = at.heading;
-        }
-    }
-    return nodes;
-}
 
 /// delta, and the robot's arc length from here to the place before.
 struct Carried {
@@ -86,7 +55,7 @@ struct Stretch {
     std::vector<Carried> parts;
     double heading_error = 0;  ///< of a robot that takes its curvature as linear between the parts (rad)
 };
-Stretch stretch_back(double delta, double offset, const Node& here, double count) {
+Stretch stretch_back(double delta, double offset, const RakeNode& here, double count) {
     Stretch stretch;
     const double h = here.step / count, slope = (here.next_curvature - here.curvature) / here.step;
     for (double i = count; i-- > 0;) {
@@ -102,7 +71,7 @@ Stretch stretch_back(double delta, double offset, const Node& here, double count
 }
 
 /// The step in as few parts as keep the heading error small: it falls with the square of their number.
-Stretch fine_stretch_back(double delta, double offset, const Node& here) {
+Stretch fine_stretch_back(double delta, double offset, const RakeNode& here) {
     Stretch stretch = stretch_back(delta, offset, here, 1);
     const double allowed = heading_drift * here.step;
     if (here.step > offset || stretch.heading_error <= allowed) return stretch;
@@ -110,23 +79,79 @@ Stretch fine_stretch_back(double delta, double offset, const Node& here) {
                         std::min(most_parts, std::ceil(std::sqrt(stretch.heading_error / allowed))));
 }
 
-void add_span(std::vector<Followed::Span>& spans, double from, double to) {
-    // spans come from the path's end towards its start
-    if (!spans.empty() && to >= spans.back().from - rounding)
-        spans.back().from = from;
-    else
-        spans.push_back({from, to});
-}
-
 bool same_state(const RobotState& a, const RobotState& b) {
     return a.s == b.s && std::abs(a.pose.heading - b.pose.heading) < rounding &&
            std::abs(a.curvature - b.curvature) < rounding;
 }
 
+/// The pass: from the end to the start. `s` of a state is, until the path is turned about, the robot's length
+/// from it to the end.
+struct Pass {
+    const std::vector<RakeNode>& nodes;
+    const Robot& robot;
+    const FollowOptions& options;
+    double delta;
+    double turns = 0;  ///< whole turns by which the robot's heading has left the rake path's (after straying)
+    double to_end = 0;  ///< the robot's length from here to the end
+    Followed result = {};
+
+    void arrive(double s, Pose rake) {
+        result.path.push_back({to_end, robot_at(robot, rake.at, rake.heading + delta + turns),
+                               std::tan(delta) / robot.rake_offset});
+        result.rake_s.push_back(s);
+        result.max_delta = std::max(result.max_delta, std::abs(delta));
+    }
+    /// Where the rake is lost, if it is.
+    std::optional<double> over_corner(const RakeNode& before, const RakeNode& after) {
+        const double next = delta + after.rake.heading - before.rake.heading;
+        if (std::abs(next) > options.max_delta) return before.s;
+        if (std::abs(next - delta) < rounding) return std::nullopt;
+        delta = next;
+        arrive(before.s, before.rake);
+        return std::nullopt;
+    }
+    std::optional<double> back_over(const RakeNode& here) {
+        const Stretch stretch = fine_stretch_back(delta, robot.rake_offset, here);
+        double left = static_cast<double>(stretch.parts.size());
+        const double h = here.step / left;
+        for (const Carried& part : stretch.parts) {
+            // written so that a NaN is lost too
+            if (!(std::abs(part.delta) <= options.max_delta)) return here.s + left * h;
+            delta = part.delta;
+            to_end += part.robot_step;
+            const double local = --left * h;
+            arrive(here.s + local, left > 0 ? rake_at(here, local) : here.rake);
+        }
+        return std::nullopt;
+    }
+    /// Off the path from there until the robot has got the rake back on it; i: the step it is lost in, then
+    /// the one it is back in, driven to its start. Where the rake is lost again.
+    std::optional<double> go_astray(std::size_t& i, double lost) {
+        const WayBack back = stray(nodes, i, lost, robot, options, result, to_end);
+        i = back.step;
+        if (!back.rejoined) return std::nullopt;
+        const Pose rake = rake_at(nodes[i], back.s - nodes[i].s);
+        const double heading = result.path.back().pose.heading;
+        delta = wrap_angle(heading - rake.heading);
+        turns = heading - rake.heading - delta;
+        RakeNode part = nodes[i];
+        part.step = back.s - part.s;
+        part.next_curvature = curvature_at(nodes[i], part.step);
+        return part.step > rounding ? back_over(part) : std::nullopt;
+    }
+    Followed turned_about() {
+        std::reverse(result.path.begin(), result.path.end());
+        std::reverse(result.rake_s.begin(), result.rake_s.end());
+        std::reverse(result.undrivable.begin(), result.undrivable.end());
+        for (RobotState& state : result.path) state.s = to_end - state.s;
+        return std::move(result);
+    }
+};
+
 /// The rake is at the turning point: its path is the robot's.
-Followed path_itself(const std::vector<Node>& nodes) {
+Followed path_itself(const std::vector<RakeNode>& nodes) {
     Followed result;
-    for (const Node& node : nodes) {
+    for (const RakeNode& node : nodes) {
         const RobotState state{node.s, node.rake, node.curvature};
         if (!result.path.empty() && same_state(result.path.back(), state)) continue;
         result.path.push_back(state);
@@ -147,60 +172,24 @@ double steady_delta(const Robot& robot, double rake_curvature, double most) {
 
 Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot,
                         const FollowOptions& options) {
-    const std::vector<Node> nodes = nodes_of(rake_path, options.step);
+    const std::vector<RakeNode> nodes = nodes_of(rake_path, options.step);
     const double offset = robot.rake_offset;
     if (nodes.empty()) return {};
     if (offset == 0) return path_itself(nodes);
 
-    Followed result;
-    const auto limited = [&](double delta, double from, double to) {
-        if (!(std::abs(delta) <= options.max_delta)) {
-            add_span(result.undrivable, from, to);
-            delta = std::copysign(options.max_delta, delta);
-        }
-        result.max_delta = std::max(result.max_delta, std::abs(delta));
-        return delta;
-    };
-    const double end = nodes.back().s;
-    double delta =
-        limited(options.steady_end ? steady_delta(robot, nodes.back().curvature,
-                                                  std::min(options.max_delta, connectable_delta(robot)))
-                                   : options.end_delta,
-                end, end);
-    // from the end to the start; `s` of a state is, until the path is turned about, the robot's length from
-    // there to the end
-    double to_end = 0;
-    const auto arrive = [&](double s, Pose rake) {
-        result.path.push_back(
-            {to_end, robot_at(robot, rake.at, rake.heading + delta), std::tan(delta) / offset});
-        result.rake_s.push_back(s);
-    };
-    arrive(end, nodes.back().rake);
-    for (std::size_t i = nodes.size() - 1; i-- > 0;) {
-        const Node &here = nodes[i], &next = nodes[i + 1];
-        if (here.step == 0) {
-            const double before = limited(delta + next.rake.heading - here.rake.heading, here.s, here.s);
-            if (std::abs(before - delta) < rounding) continue;
-            delta = before;
-            arrive(here.s, here.rake);
-            continue;
-        }
-        const Stretch stretch = fine_stretch_back(delta, offset, here);
-        const double count = static_cast<double>(stretch.parts.size()), h = here.step / count;
-        const Clothoid piece{here.step, here.curvature, (here.next_curvature - here.curvature) / here.step};
-        double left = count;
-        for (const Carried& part : stretch.parts) {
-            const double local = --left * h;
-            delta = limited(part.delta, here.s + local, here.s + local + h);
-            to_end += part.robot_step;
-            arrive(here.s + local, left > 0 ? advanced(here.rake, piece, local) : here.rake);
-        }
+    const double end = options.steady_end
+                           ? steady_delta(robot, nodes.back().curvature, connectable_delta(robot))
+                           : options.end_delta;
+    Pass pass{nodes, robot, options, std::clamp(end, -options.max_delta, options.max_delta)};
+    if (std::abs(end) > options.max_delta) pass.result.undrivable.push_back({nodes.back().s, nodes.back().s});
+    pass.arrive(nodes.back().s, nodes.back().rake);
+    for (std::size_t i = nodes.size() - 1; i > 0;) {
+        --i;
+        std::optional<double> lost =
+            nodes[i].step == 0 ? pass.over_corner(nodes[i], nodes[i + 1]) : pass.back_over(nodes[i]);
+        while (lost) lost = pass.go_astray(i, *lost);
     }
-    std::reverse(result.path.begin(), result.path.end());
-    std::reverse(result.rake_s.begin(), result.rake_s.end());
-    std::reverse(result.undrivable.begin(), result.undrivable.end());
-    for (RobotState& state : result.path) state.s = to_end - state.s;
-    return result;
+    return pass.turned_about();
 }
 
 }  // namespace strandline

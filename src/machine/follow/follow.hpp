@@ -38,6 +38,7 @@ struct Followed {
     struct Span { double from, to; };    ///< rake arc lengths
     std::vector<Span> undrivable;        ///< where |delta| would reach `max_delta`: the rake leaves its path there
     double max_delta = 0;                ///< largest |delta| met
+    double max_error = 0;                ///< metres: how far the rake gets off its path in undrivable spans
 };
 struct FollowOptions {
     double step = 0.01;       ///< metres of rake arc between states, at most
@@ -47,8 +48,8 @@ struct FollowOptions {
 };
 /// The robot path that makes the rake follow smooth curves laid end to end; at corners (heading jumps between curves)
 /// theta is continuous and delta jumps. One backward pass, Runge-Kutta 4, O(length / step). For rake_offset 0: the path itself.
-/// Where delta would pass max_delta it is held there and the span is listed: the robot is then placed so that the rake is on its
-/// path, though it could not have rolled there (at a corner its heading jumps). Steps end on every joint of pieces.
+/// Where delta would pass max_delta the rake leaves its path: the robot, still rolling, brings it back as soon as it can, and the span
+/// is listed. Steps end on every joint of pieces.
 Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot, const FollowOptions& options = {});
 /// sin(delta) = curvature x rake_offset, where delta comes to rest on an endless arc; limited to |delta| <= most (radians).
 double steady_delta(const Robot& robot, double rake_curvature, double most);

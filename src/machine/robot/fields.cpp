@@ -170,6 +170,8 @@ Outcome<Robot> valid(Robot robot, const std::string& place) {
 
 Outcome<Robot> with_field(Robot robot, const std::string& name, const std::string& value) {
     const std::string place = "robot." + name;
+    if (name == "name" || name == "base" || name == "wheels" || name == "rake_rules")
+        return fail(place, "is not a single number or flag", "set it in a profile, a .toml file");
     const Field* field = find(name);
     if (!field) return tl::unexpected(unknown_field(name, place));
     if (const auto set = assign(robot, *field, value, place); !set) return tl::unexpected(set.error());

@@ -29,9 +29,8 @@ Curve continuous_curvature(const CurvatureState& from, const CurvatureState& to,
     const turns::Task task(end, std::clamp(from.curvature * radius, -1.0, 1.0),
                            std::clamp(to.curvature * radius, -1.0, 1.0), limits.sharpness * radius * radius);
     std::vector<turns::Found> found{turns::same_side(task, 1), turns::same_side(task, -1)};
-    turns::add_three_turns(task, 1, found);
-    turns::add_three_turns(task, -1, found);
     turns::add_turn_straight_turn(task, found);
+    turns::add_three_turns(task, found);
     std::ranges::sort(found, {}, &turns::Found::length);
     std::vector<Clothoid> pieces;
     for (const turns::Found& f : found) {

@@ -7,6 +7,9 @@
 
 namespace strandline::turns {
 
+/// Positions are met to this share of (1 + distance) when a root counts as found.
+constexpr double root_accuracy = 1e-12;
+
 /// What is asked for, in the start's frame and in radii.
 struct Task {
     Task(Pose to_pose, double k0, double k1, double sharpness)
@@ -49,8 +52,9 @@ struct Found {
 Found same_side(const Task& task, double side);
 /// The shortest with a straight (or none) between two turns that begin and end it.
 void add_turn_straight_turn(const Task& task, std::vector<Found>& found);
-/// Three turns, left-right-left (side 1) or right-left-right.
-void add_three_turns(const Task& task, double side, std::vector<Found>& found);
+/// Three turns, mostly left-right-left or right-left-right; not tried where what was found is near Dubins'
+/// bound.
+void add_three_turns(const Task& task, std::vector<Found>& found);
 
 /// Pieces in radii, neighbours of one slope joined.
 std::vector<Clothoid> pieces(const Task& task, const Found& found);

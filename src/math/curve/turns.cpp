@@ -25,7 +25,16 @@ constexpr auto series = coefficients();
 
 }  // namespace
 
-Spiral::Spiral(double limit) : sharpness(limit), full_heading(1 / (2 * limit)) { full = at(1); }
+Spiral::Spiral(double limit) : sharpness(limit), full_heading(1 / (2 * limit)) {
+    // Terms until the next is below rounding for every curvature up to 1.
+    const double q = std::min(full_heading, series_heading) * std::min(full_heading, series_heading);
+    double power = 1;
+    for (terms_ = 1; terms_ < terms && power * series[2 * terms_] * (terms_ % 2 == 0 ? 1 : -1) > 1e-18;
+         ++terms_)
+        power *= q;
+    full = at(1);
+    full_back = unit(-full_heading);
+}
 
 Point Spiral::at(double curvature) const {
     const double s = curvature / sharpness, h = heading(curvature);
@@ -36,8 +45,13 @@ Point Spiral::at(double curvature) const {
     // Fresnel integrals as series in the heading (Abramowitz and Stegun 7.3.11 and 7.3.13).
     const double q = h * h;
     Point sum{};
-    for (std::size_t n = terms; n-- > 0;) sum = {sum.x * q + series[2 * n], sum.y * q + series[2 * n + 1]};
+    for (std::size_t n = terms_; n-- > 0;) sum = {sum.x * q + series[2 * n], sum.y * q + series[2 * n + 1]};
     return {s * sum.x, s * h * sum.y};
+}
+
+Pose Spiral::rise(double begin) const {
+    const double h = heading(begin);
+    return {rotated(unit(-h), full - at(begin)), full_heading - h};
 }
 
 Turn::Turn(const Spiral& spiral, double begin)
@@ -47,7 +61,8 @@ Turn::Turn(const Spiral& spiral, double begin)
       begin_heading_(spiral.heading(begin)),
       full_angle_((1 - begin * begin / 2) / spiral.sharpness),
       begin_at_(spiral.at(begin)),
-      back_(unit(-begin_heading_)) {}
+      back_(unit(-begin_heading_)),
+      enter_(unit(spiral.full_heading - begin_heading_)) {}
 
 Turn::Shape Turn::shape(double angle) const {
     const double side = angle >= natural ? 1 : -1, turned = side * angle;
@@ -62,9 +77,8 @@ Turn::End Turn::end(double angle) const {
     const Point ahead = unit(turned);
     Point at = rotated(back_, top - side * begin_at_) + rotated(ahead, {top.x, -top.y});
     if (stay > 0) {
-        const double h = spiral_->full_heading - begin_heading_;
-        const Point enter = unit(h), leave = unit(h + stay);
-        at = at + Point{leave.y - enter.y, enter.x - leave.x};
+        const Point leave = rotated(spiral_->full_back, ahead);
+        at = at + Point{leave.y - enter_.y, enter_.x - leave.x};
     }
     return {{at.x, side * at.y}, (2 * peak - side * begin_) / spiral_->sharpness + stay};
 }

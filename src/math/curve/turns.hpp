@@ -19,9 +19,15 @@ struct Spiral {
     double sharpness;
     Point full;           ///< at curvature 1
     double full_heading;  ///< there
+    Point full_back;      ///< unit vector of -full_heading
 
     Point at(double curvature) const;
     double heading(double curvature) const { return curvature * curvature / (2 * sharpness); }
+    /// From curvature `begin` up to 1, from the origin with heading 0.
+    Pose rise(double begin) const;
+
+  private:
+    std::size_t terms_ = 0;
 };
 
 /// Turns from curvature `begin` to 0, from the origin with heading 0.
@@ -46,7 +52,7 @@ class Turn {
 
     const Spiral* spiral_;
     double begin_, begin_heading_, full_angle_;
-    Point begin_at_, back_;  ///< back_: unit vector of -begin_heading_
+    Point begin_at_, back_, enter_;  ///< unit vectors of -begin_heading_ and of the heading at curvature 1
 };
 
 /// b turned by the angle whose unit vector is a.

@@ -16,6 +16,9 @@ constexpr double smooth = 1e-7;
 // Pieces, and edges, shorter than this (metres) are rounding of a cut.
 constexpr double least_length = 2e-9, least_edge = 2e-8;
 
+// The rake within this (metres) of a place is at it.
+constexpr double same_place = 1e-7;
+
 // An edge between two corners is shared by their roundings; one at the stroke's end belongs to its corner but
 // for a rest that keeps the end's own direction and curvature.
 constexpr double shared = 0.5, end_share = 0.9;
@@ -84,6 +87,13 @@ struct Builder {
                                .max_delta = options.max_delta,
                                .end_delta = end_delta,
                                .steady_end = false});
+    }
+    /// Whether the rake gets to the piece's start, and with which delta; it does not where it strayed up to
+    /// there.
+    std::optional<double> delta_at_start(const Curve& piece, const Followed& what) const {
+        const Pose first = what.path.front().pose;
+        if (distance(rake_at(robot, first), piece.start.at) > same_place) return std::nullopt;
+        return wrap_angle(first.heading - piece.start.heading);
     }
     void push(Leg leg) {
         leg.stroke = stroke;
@@ -154,28 +164,31 @@ Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, con
             if (treatment == Treatment::round) {
                 const double share = i == 1 ? end_share : shared,
                              share_after = i + 1 == edges.size() ? end_share : shared;
-                const auto arc = rounded(before, edge, turn, options.corner_radius, share * length_before,
-                                         std::min(share_after * length(edge), end));
+                const auto arc =
+                    rounded(before, edge, turn, stroke.fill ? options.fill_radius : options.corner_radius,
+                            share * length_before, std::min(share_after * length(edge), end));
                 if (!arc) continue;
                 const Curve piece = joined(arc->arc, cut(edge, arc->cut, end));
                 Followed bent = build.followed(piece, end_delta);
-                if (!bent.undrivable.empty() && bent.undrivable.front().from < length(arc->arc)) continue;
-                end_delta = bent.path.front().pose.heading - piece.start.heading;
+                const auto delta = build.delta_at_start(piece, bent);
+                if (!delta || (!bent.undrivable.empty() && bent.undrivable.front().from < length(arc->arc)))
+                    continue;
+                end_delta = *delta;
                 build.draw(piece, std::move(bent));
                 end = length_before - arc->cut;
                 ++build.drive.rounded;
                 break;
             }
             if (!plain) plain = build.followed(whole, end_delta);
-            const double delta = plain->path.front().pose.heading - whole.start.heading;
+            const auto delta = build.delta_at_start(whole, *plain);
             if (treatment == Treatment::exact &&
-                (robot.rake_offset == 0 || std::abs(delta + turn) > options.max_delta))
+                (robot.rake_offset == 0 || !delta || std::abs(*delta + turn) > options.max_delta))
                 continue;
             build.draw(whole, std::move(*plain));
             end = length_before;
             if (treatment == Treatment::exact) {
                 build.finish_leg();
-                end_delta = delta + turn;
+                end_delta = *delta + turn;
                 ++build.drive.exact;
                 break;
             }

@@ -1,6 +1,6 @@
 #pragma once
-// Regions -> strokes that rake them. Two styles now: zigzag (parallel lines) and spiral (from inset polygons, inside to outside);
-// both with holes. Rings come with the fill issue. Nothing is drawn in a hole. Metres.
+// Regions -> strokes that rake them. Two styles now: zigzag (parallel lines) and spiral (from inset polygons,
+// inside to outside); both with holes. Rings come with the fill issue. Nothing is drawn in a hole. Metres.
 #include <optional>
 #include <vector>
 
@@ -16,28 +16,38 @@ enum class Partition { none, monotone, optimal_convex };
 
 struct Options {
     Style style = Style::spiral;
-    double width = 0.42;                   ///< rake width, metres
-    double spacing = 0.40;                 ///< metres between neighbouring passes, 0 < spacing <= width
-    std::optional<double> direction;       ///< zigzag lines, radians; absent: the direction with the least passes
+    double width = 0.42;    ///< rake width, metres
+    double spacing = 0.40;  ///< metres between neighbouring passes, 0 < spacing <= width
+    std::optional<double> direction =
+        {};  ///< zigzag lines, radians; absent: the direction with the least passes
     Partition partition = Partition::monotone;
-    double part_inset = 0;                 ///< metres: each part of a partition shrinks by this (zigzag)
-    double min_area = 0.01;                ///< m^2: smaller parts are dropped and counted
-    bool border = true;                    ///< a pass along the outline, driven last
-    double tolerance = 0.002;              ///< metres
-    double turn_radius = 0;                ///< metres: least radius of the rake path in turns; 0: sharp turns allowed
+    double part_inset = 0;     ///< metres: each part of a partition shrinks by this (zigzag)
+    double min_area = 0.01;    ///< m^2: smaller parts are dropped and counted
+    bool border = true;        ///< a pass along the outline, driven last
+    double tolerance = 0.002;  ///< metres
+    double turn_radius =
+        0;  ///< metres: least radius of the rake path in turns, as far as there is room; 0: sharp turns
+    bool round_corners =
+        true;  ///< bend passes by turn_radius here; false: whoever drives them rounds their corners
+    bool rake_turns =
+        true;  ///< zigzag: the rake stays down from line to line where that stays inside; false: it is lifted
+    int pins = 7;  ///< written into the strokes
 };
 
 /// The fill of one region and its account.
 struct Fill {
-    std::vector<Stroke> strokes;   ///< in the order they must be raked: inside to outside, border last; one_way, fill = true
-    double area = 0;               ///< of the region, m^2
-    double swept = 0;              ///< stroke length x width, m^2
-    int dropped_parts = 0;         ///< smaller than min_area or narrower than the rake
-    Warnings warnings;             ///< partition replaced, region narrower than the rake, ...
+    std::vector<Stroke>
+        strokes;  ///< in the order they must be raked: inside to outside, border last; one_way, fill = true
+    std::vector<Polyline> ways;  ///< rake-up way to stroke i from the one before, over sand not yet raked;
+                                 ///< its ends left out, {}: straight
+    double area = 0;             ///< of the region, m^2
+    double swept = 0;            ///< stroke length x width, m^2
+    int dropped_parts = 0;       ///< smaller than min_area or narrower than the rake
+    Warnings warnings;           ///< partition replaced, region narrower than the rake, ...
 };
 
-/// Never fails: a region nothing fits into gives no strokes and a warning. `element` is written into the strokes; `place` names the
-/// region in warnings. O(n log n + passes).
+/// Never fails: a region nothing fits into gives no strokes and a warning. `element` is written into the
+/// strokes; `place` names the region in warnings. O(n log n + passes).
 Fill fill_region(const Region& region, int element, const std::string& place, const Options& options);
 
 }  // namespace strandline::fill

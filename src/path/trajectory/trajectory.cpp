@@ -22,6 +22,29 @@ struct Part {
     std::vector<RobotState> states;  ///< evenly spaced; s from 0
 };
 
+/// Divides steps in which the robot turns, or changes its turning, by so much that curvature linear in
+/// between would not explain the headings any more.
+std::vector<RobotState> refined(const Leg& leg, double from, const std::vector<RobotState>& even) {
+    // Radians turned in one step, and radians that a jump of curvature within it would turn.
+    constexpr double most_turn = 0.1, most_change = 0.02;
+    constexpr double most_parts = 16;
+    std::vector<RobotState> fine{even.front()};
+    for (std::size_t i = 1; i < even.size(); ++i) {
+        const RobotState &a = even[i - 1], &b = even[i];
+        const double ds = b.s - a.s, turn = ds * std::max(std::abs(a.curvature), std::abs(b.curvature)),
+                     change = ds * std::abs(b.curvature - a.curvature);
+        const double parts =
+            std::clamp(std::ceil(std::max(turn / most_turn, change / most_change)), 1.0, most_parts);
+        for (double k = 1; k < parts; ++k) {
+            RobotState state = state_at(leg.path, from + a.s + ds * k / parts);
+            state.s -= from;
+            fine.push_back(state);
+        }
+        fine.push_back(b);
+    }
+    return fine;
+}
+
 std::vector<RobotState> evenly(const Leg& leg, double from, double to, double step) {
     std::vector<RobotState> states;
     // At least two intervals: between two stands a single one would have no speed at either end.
@@ -36,7 +59,7 @@ std::vector<RobotState> evenly(const Leg& leg, double from, double to, double st
         state.s -= from;
         states.push_back(state);
     }
-    return states;
+    return refined(leg, from, states);
 }
 
 /// Cuts a leg where its curvature jumps. The states next to a jump carry the curvature of their own side.
@@ -71,7 +94,7 @@ void add_pivot(std::vector<Sample>& samples, const Leg& leg, const Robot& robot,
     const int parts = std::max(2, static_cast<int>(std::ceil(std::abs(turn) / pivot_step)));
     const double part = std::abs(turn) / parts;
     const auto rate_at = [&](int i) {
-        const double done = i * part, left = std::abs(turn) - done;
+        const double done = i * part, left = std::max(0.0, std::abs(turn) - done);
         return std::min(robot.turn_rate, std::sqrt(2 * robot.turn_acceleration * std::min(done, left)));
     };
     for (int i = 0; i < parts; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
-// The Plan as values, its options and edits: no algorithm. What a plan file holds is exactly this (docs/plan-format.md).
+// The Plan as values, its options and edits: no algorithm. What a plan file holds is exactly this
+// (docs/plan-format.md).
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,55 +14,57 @@
 
 namespace strandline {
 
-// ---- options -----------------------------------------------------------------------------------------------
+// ---- options
+// -----------------------------------------------------------------------------------------------
 
-/// All that can be set, with defaults. Lengths in metres, angles in radians. The table of settings() names each field as
-/// "group.name" with its unit, range, choices and meaning: --set, settings files, docs and the editor all read it.
+/// All that can be set, with defaults. Lengths in metres, angles in radians. The table of settings() names
+/// each field as "group.name" with its unit, range, choices and meaning: --set, settings files, docs and the
+/// editor all read it.
 struct Options {
-    struct Fit {                                    // "place.*"
-        std::string mode = "fit";                   // fit | actual | width | scale
+    struct Fit {                   // "place.*"
+        std::string mode = "fit";  // fit | actual | width | scale
         double width = 10, scale_denominator = 50;
         bool positioned = false;
         double x = 0, y = 0, rotate = 0;
         bool mirror = false;
         bool operator==(const Fit&) const = default;
     } place;
-    struct Field {                                  // "canvas.*"
+    struct Field {  // "canvas.*"
         double width = 14, height = 14, margin = 0.5;
-        double run_out = -1;                        // metres round the canvas the robot may use; < 0: 2 R + footprint
+        double run_out = -1;  // metres round the canvas the robot may use; < 0: 2 R + footprint
         bool operator==(const Field&) const = default;
     } canvas;
-    struct Draw {                                   // "drawing.*"
+    struct Draw {  // "drawing.*"
         double tolerance = 0.002, join_tolerance = 0.005, min_length = 0.01, ink_threshold = 0.9;
         bool operator==(const Draw&) const = default;
     } drawing;
-    struct FillArea {                               // "fill.*"
-        std::string style = "spiral";               // spiral | zigzag
+    struct FillArea {                  // "fill.*"
+        std::string style = "spiral";  // spiral | zigzag
         double spacing = 0.40, direction = 0;
         bool best_direction = true;
-        std::string partition = "monotone";         // none | monotone | optimal-convex
+        std::string partition = "monotone";  // none | monotone | optimal-convex
         double part_inset = 0, min_area = 0.01;
         bool border = true;
         bool operator==(const FillArea&) const = default;
     } fill;
-    struct TourSearch {                             // "tour.*"
+    struct TourSearch {  // "tour.*"
         bool inner_first = true, has_start = false;
         double start_x = 0, start_y = 0;
         int seed = 1, moves = 0;
         double time_limit = 0;
         bool operator==(const TourSearch&) const = default;
     } tour;
-    struct Corner {                                 // "corner.*"
-        double threshold = pi / 2, radius = 0.5;
+    struct Corner {  // "corner.*"
+        double threshold = pi / 2, radius = 0.5, fill_radius = 0.3;
         std::string below = "exact", above = "loop";  // exact | round; loop | pivot | round
         bool operator==(const Corner&) const = default;
     } corner;
-    struct Connect {                                // "connect.*"
-        std::string style = "bounded";              // bounded | straight
-        double min_length = 0.02;                   // gaps shorter than this are joined directly
+    struct Connect {                    // "connect.*"
+        std::string style = "bounded";  // bounded | straight
+        double min_length = 0.02;       // gaps shorter than this are joined directly
         bool operator==(const Connect&) const = default;
     } connect;
-    struct Samples {                                // "trajectory.*"
+    struct Samples {  // "trajectory.*"
         double step = 0.02;
         bool operator==(const Samples&) const = default;
     } trajectory;
@@ -73,19 +76,21 @@ struct Setting {
     enum class Kind { length, angle, duration, number, integer, flag, choice };
     std::string key, meaning;
     Kind kind = Kind::number;
-    double low = 0, high = 0;            ///< inclusive, in SI units, for numbers
-    std::vector<std::string> choices;    ///< for choice
-    std::string formerly;                ///< the option of 2014 that it follows, "" if none
+    double low = 0, high = 0;          ///< inclusive, in SI units, for numbers
+    std::vector<std::string> choices;  ///< for choice
+    std::string formerly;              ///< the option of 2014 that it follows, "" if none
     std::variant<double*, int*, bool*, std::string*> (*field)(Options&) = nullptr;
 };
 const std::vector<Setting>& settings();
-/// "fill.spacing", "16cm" -> set. Error names the key, its range or choices; unknown keys get the nearest known one.
+/// "fill.spacing", "16cm" -> set. Error names the key, its range or choices; unknown keys get the nearest
+/// known one.
 Outcome<void> set(Options& options, const std::string& key, const std::string& value);
 /// Text that set() reads back to the same value.
 std::string get(const Options& options, const std::string& key);
 std::string name_of(Setting::Kind kind);
 
-// ---- edits -------------------------------------------------------------------------------------------------
+// ---- edits
+// -------------------------------------------------------------------------------------------------
 
 /// A node of an element as a person names it: the element's id and the number of a node of its drawn path
 /// (0 .. n-1; -1: the last).
@@ -103,16 +108,17 @@ struct EntryEdit {
     bool operator==(const EntryEdit&) const = default;
 };
 struct DirectionEdit {
-    std::string element, direction;      ///< forward | backward | ccw | cw
+    std::string element, direction;  ///< forward | backward | ccw | cw
     bool operator==(const DirectionEdit&) const = default;
 };
 using Edit = std::variant<LinkEdit, EntryEdit, DirectionEdit>;
 
-// ---- the plan ----------------------------------------------------------------------------------------------
+// ---- the plan
+// ----------------------------------------------------------------------------------------------
 
 /// What is driven rake up from the end of strokes[from] to the start of strokes[to].
 struct PlannedConnection {
-    int from = -1, to = -1;              ///< indices into Plan::strokes
+    int from = -1, to = -1;                  ///< indices into Plan::strokes
     double turn_before = 0, turn_after = 0;  ///< turns on the spot, radians
     Curve curve;
     bool operator==(const PlannedConnection&) const = default;
@@ -122,24 +128,25 @@ struct PlannedConnection {
 struct Spot {
     std::string what;
     Point at;
-    double amount = 0;                   ///< metres or m^2, as `what` says
+    double amount = 0;  ///< metres or m^2, as `what` says
     bool operator==(const Spot&) const = default;
 };
 
-/// Figures the planner states. "rake" lengths are of the rake's centre Q, "robot" lengths of the turning point P.
+/// Figures the planner states. "rake" lengths are of the rake's centre Q, "robot" lengths of the turning
+/// point P.
 struct Figures {
     int elements = 0, lines = 0, regions = 0, strokes = 0;
-    double drawn = 0;                    ///< m of rake path, rake down
-    double up_straight = 0;              ///< m, stroke end to stroke start, rake centre
-    double up_dubins = 0;                ///< m, robot pose to robot pose, Dubins: the lower bound for this order
-    double up_driven = 0;                ///< m driven by P between strokes (connections, leads), loops apart
-    double loops_driven = 0;             ///< m driven in corner loops
-    double time = 0;                     ///< s
-    double tightest_up = 0;              ///< largest |curvature| rake up on connections and loops, 1/m
-    double tightest_drawn = 0;           ///< largest |curvature| of the robot path rake down, 1/m
+    double drawn = 0;           ///< m of rake path, rake down
+    double up_straight = 0;     ///< m, stroke end to stroke start, rake centre
+    double up_dubins = 0;       ///< m, robot pose to robot pose, Dubins: the lower bound for this order
+    double up_driven = 0;       ///< m driven by P between strokes (connections, leads), loops apart
+    double loops_driven = 0;    ///< m driven in corner loops
+    double time = 0;            ///< s
+    double tightest_up = 0;     ///< largest |curvature| rake up on connections and loops, 1/m
+    double tightest_drawn = 0;  ///< largest |curvature| of the robot path rake down, 1/m
     int corners_exact = 0, corners_rounded = 0, corners_looped = 0, corners_pivoted = 0;
-    int direct = 0;                      ///< gaps joined directly (under connect.min_length)
-    int fallbacks = 0;                   ///< anything done another way than asked; each has a warning
+    int direct = 0;     ///< gaps joined directly (under connect.min_length)
+    int fallbacks = 0;  ///< anything done another way than asked; each has a warning
     bool tour_proven = false;
     bool reproducible = true;
     double fill_area = 0, fill_swept = 0;
@@ -149,15 +156,15 @@ struct Figures {
 struct Plan {
     static constexpr int current_version = 1;
     int version = current_version;
-    std::string program;                 ///< "strandline 0.1.0"
-    std::string title;                   ///< name of the source
+    std::string program;  ///< "strandline 0.1.0"
+    std::string title;    ///< name of the source
     Robot robot;
     Options options;
     std::vector<Edit> edits;
-    std::vector<std::string> idle_edits; ///< edits whose place is gone, as sentences
+    std::vector<std::string> idle_edits;  ///< edits whose place is gone, as sentences
     Drawing drawing;
-    std::vector<Stroke> strokes;         ///< in driving order
-    std::vector<Entry> order;            ///< one per stroke, same order
+    std::vector<Stroke> strokes;  ///< in driving order
+    std::vector<Entry> order;     ///< one per stroke, same order
     std::vector<PlannedConnection> connections;
     std::vector<Sample> samples;
     std::vector<Spot> undrivable;

@@ -39,6 +39,7 @@ order::Options order_options(const Options& options, const Robot& robot) {
     o.tour.moves = static_cast<std::uint64_t>(options.tour.moves);
     o.drive.corner_threshold = options.corner.threshold;
     o.drive.corner_radius = options.corner.radius;
+    o.drive.fill_radius = options.corner.fill_radius;
     o.drive.below = options.corner.below == "round" ? drive::Below::round : drive::Below::exact;
     o.drive.above = options.corner.above == "pivot"   ? drive::Above::pivot
                     : options.corner.above == "round" ? drive::Above::round
@@ -96,7 +97,7 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
     f.corners_pivoted = ordered.pivots;
     f.direct = ordered.direct;
     f.tour_proven = ordered.tour.proven_optimal;
-    f.reproducible = ordered.tour.reproducible;
+    f.reproducible = !ordered.tour.stopped;
     for (const drive::Span& span : ordered.undrivable)
         plan.undrivable.push_back({"the rake leaves its path, metres", span.at, span.length});
     for (const order::Connection& c : ordered.connections)

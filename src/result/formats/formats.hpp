@@ -11,11 +11,12 @@ namespace strandline::formats {
 
 /// Versioned plan file (docs/plan-format.md). What is written, read back, is the same plan, bit for bit.
 std::string write_plan(const Plan& plan);
-/// Error: not JSON (line, column), not a plan, another version, a field missing or of the wrong kind (its JSON pointer), NaN.
+/// Error: not JSON (line, column), not a plan, another version, a field missing or of the wrong kind (its
+/// JSON pointer), NaN.
 Outcome<Plan> read_plan(std::string_view text, const std::string& place);
 
-/// The pair of 2014: NAME_robot.txt and NAME_rake.txt. Line i of both is the same instant: "x y mask"; metres, y up, origin lower left.
-/// A turn on the spot is one line with 128; the last line has 129.
+/// The pair of 2014: NAME_robot.txt and NAME_rake.txt. Line i of both is the same instant: "x y mask";
+/// metres, y up, origin lower left. A turn on the spot is one line with 128; the last line has 129.
 struct BeachbotPair {
     std::string robot, rake;
 };

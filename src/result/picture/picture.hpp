@@ -8,8 +8,8 @@
 namespace strandline::picture {
 
 struct Look {
-    int pixels = 1200;        ///< of the longer side
-    bool arrows = true;       ///< on connections
+    int pixels = 1200;   ///< of the longer side
+    bool arrows = true;  ///< on connections
     bool legend = true;
 };
 /// PNG bytes: rake down black at true width, rake up red with arrows, start dot, legend with a metre rule.

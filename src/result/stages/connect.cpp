@@ -15,6 +15,13 @@ using Json = nlohmann::ordered_json;
 /// Steps of the samples in radii, and samples at least: what the format asks for.
 constexpr double sample_step = 0.01;
 constexpr int fewest_samples = 9;
+/// Whoever reads a curvature off three samples should be within this of the truth at the ends (1/R).
+constexpr double end_blur = 0.025;
+/// Few of that many samples lie at a bend of the curvature; finer than this (radii) nine decimals are too
+/// few.
+constexpr double many_samples = 256, finest_step = 0.0015;
+/// Metres: steps below sqrt(this R) read the ninth decimal's rounding as curvature (0.1 % of 1/R).
+constexpr double blurring_digits = 1e-6;
 /// Farther apart than this (radii) a curve would have more than ten million samples.
 constexpr double farthest = 1e5;
 /// Beyond this a coordinate has no nine decimals left.
@@ -108,6 +115,21 @@ Outcome<Pair> pair_of(const Reader& in, const PairDefaults& defaults) {
                 std::move(*obstacles),  *clearance,           {}};
 }
 
+/// 0.01 R; finer where the curvature is sharp and bends within three steps of an end or many times in a short
+/// curve: whoever reads curvatures off neighbouring samples would see them blurred.
+double step_for(const Curve& curve, const CurveLimits& limits) {
+    const double step = sample_step * limits.radius, whole = length(curve);
+    const double finest = std::max(finest_step * limits.radius, std::sqrt(blurring_digits * limits.radius));
+    const double sharp_step = std::max(finest, end_blur / (limits.radius * limits.sharpness));
+    if (sharp_step >= step) return step;
+    double s = 0;
+    for (const Clothoid& piece : curve.pieces) {
+        s += piece.length;
+        if (s < whole && std::min(s, whole - s) < 3 * step) return sharp_step;
+    }
+    return std::clamp(whole / many_samples, std::min(step, finest), step);
+}
+
 }  // namespace
 
 Outcome<Pair> read_pair(std::string_view line, int number, const PairDefaults& defaults) {
@@ -135,7 +157,8 @@ std::string write_curve(const Pair& pair, const connect::Connection& connection,
     text.pop_back();
     text += ",\"samples\":[";
     std::vector<CurvePoint> points =
-        sampled(connection.curve, sample_step * pair.limits.radius, fewest_samples);
+
+        sampled(connection.curve, step_for(connection.curve, pair.limits), fewest_samples);
     while (points.size() < fewest_samples) points.push_back(points.back());  // a turn on the spot alone
     text.reserve(text.size() + 32 * points.size());
     auto out = std::back_inserter(text);

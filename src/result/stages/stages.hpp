@@ -30,8 +30,9 @@ struct FillTask {
     Warnings warnings;
 };
 Outcome<FillTask> read_polygon(std::string_view text, const std::string& place);
-/// Strokes flattened, rake-up moves between them written out with "down": false.
-std::string write_strokes(const FillTask& task, double width, const std::vector<Stroke>& strokes, double tolerance);
+/// Strokes flattened, rake-up moves between them written out with "down": false, along `ways` (as fill::Fill has them; may be shorter).
+std::string write_strokes(const FillTask& task, double width, const std::vector<Stroke>& strokes, const std::vector<Polyline>& ways,
+                          double tolerance);
 
 // ---- connect: one JSON object a line in, the same object with R, sigma and samples out ------------------------
 struct PairDefaults {

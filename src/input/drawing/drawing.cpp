@@ -1,0 +1,72 @@
+#include "input/drawing/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "input/drawing/parts.hpp"
+
+namespace strandline {
+
+bool is_region(const Element& element) { return std::holds_alternative<RegionElement>(element.what); }
+
+Box bounds(const Element& element) {
+    if (const auto* line = std::get_if<LineElement>(&element.what)) return bounds(line->path);
+    return bounds(std::get<RegionElement>(element.what).region);
+}
+
+double length(const Element& element) {
+    if (const auto* line = std::get_if<LineElement>(&element.what)) return length(line->path);
+    const Region& region = std::get<RegionElement>(element.what).region;
+    return std::accumulate(region.holes.begin(), region.holes.end(), perimeter(region.outer),
+                           [](double sum, const Polygon& hole) { return sum + perimeter(hole); });
+}
+
+namespace {
+
+tl::unexpected<Error> nothing_to_draw(const DrawingCounts& counts) {
+    if (counts.shapes == 0)
+        return fail("drawing", "nothing to draw: the file holds no shapes", "draw some lines or areas");
+    return fail(
+        "drawing",
+        fmt::format(
+            "nothing to draw: of {} shapes {} paints are bare sand, {} lines too short, {} areas too small",
+            counts.shapes, counts.bare, counts.too_short, counts.too_small),
+        "give the shapes a dark fill or stroke, or lower drawing.min_length and drawing.min_area");
+}
+
+}  // namespace
+
+Outcome<Drawing> make_drawing(const svg::Document& document, const Robot& robot,
+                              const DrawingOptions& options, const Progress& progress) {
+    using namespace drawing_parts;
+    Drawing drawing;
+    drawing.canvas = options.canvas;
+    drawing.counts.shapes = static_cast<int>(document.shapes.size());
+
+    Ink ink = ink_of(document, robot, options.ink_threshold);
+    drawing.counts.bare = ink.bare;
+    drawing.warnings = std::move(ink.warnings);
+    if (ink.shapes.empty()) return nothing_to_draw(drawing.counts);
+
+    auto placement = placed(document, ink.shapes, robot, options);
+    if (!placement) return tl::unexpected(placement.error());
+    drawing.scale = placement->scale;
+    drawing.scale_denominator = placement->scale_denominator;
+    drawing.to_canvas = placement->to_canvas;
+    drawing.warnings.insert(drawing.warnings.end(), placement->warnings.begin(), placement->warnings.end());
+    if (ink.start) drawing.start = apply(drawing.to_canvas, *ink.start);
+
+    drawing.elements = elements_of(ink.shapes, *placement, robot, options, drawing.counts, progress);
+    // Doubled lines would meet in four ends; and two halves may join into what is there already.
+    drop_duplicates(drawing.elements, options.join_tolerance, drawing.counts);
+    join_lines(drawing.elements, options.join_tolerance, drawing.counts);
+    drop_duplicates(drawing.elements, options.join_tolerance, drawing.counts);
+    drop_short(drawing.elements, options.min_length, drawing.counts);
+    if (drawing.elements.empty()) return nothing_to_draw(drawing.counts);
+    find_enclosures(drawing.elements, options.join_tolerance);
+    progress.report("drawing", 1);
+    return drawing;
+}
+
+}  // namespace strandline

@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "input/drawing/parts.hpp"
+
+namespace strandline::drawing_parts {
+namespace {
+
+Cap cap_of(svg::LineCap cap) {
+    switch (cap) {
+        case svg::LineCap::butt:
+            return Cap::flat;
+        case svg::LineCap::round:
+            return Cap::round;
+        case svg::LineCap::square:
+            return Cap::square;
+    }
+    return Cap::round;
+}
+
+Regions filled(const std::vector<Path>& paths, svg::FillRule rule, double tolerance) {
+    std::vector<Polygon> outlines;
+    for (const Path& path : paths)
+        if (Polygon outline = flattened(path, tolerance); outline.size() >= 3)
+            outlines.push_back(std::move(outline));
+    return resolved(outlines, rule == svg::FillRule::nonzero ? FillRule::nonzero : FillRule::even_odd);
+}
+
+/// Joins come out round: what a rake can follow.
+Regions stroked(const std::vector<Path>& paths, const svg::Shape& shape, double radius, double tolerance) {
+    std::vector<Polyline> open, closed;
+    for (const Path& path : paths) (path.closed ? closed : open).push_back(flattened(path, tolerance));
+    const Regions lines = open.empty() ? Regions{} : swept(open, false, radius, cap_of(shape.cap));
+    const Regions rings = closed.empty() ? Regions{} : swept(closed, true, radius);
+    return lines.empty() ? rings : rings.empty() ? lines : united(lines, rings);
+}
+
+/// The area with its stroke. Growing is several times as fast as sweeping and uniting, but knows only the
+/// area's own outline: not where a subpath is open, nor a whisker without area.
+Regions grown_by_stroke(const Regions& area, const std::vector<Path>& paths, const svg::Shape& shape,
+                        double radius, double tolerance) {
+    double outline = 0, drawn = 0;
+    bool closed = true;
+    for (const Region& region : area) {
+        outline += perimeter(region.outer);
+        for (const Polygon& hole : region.holes) outline += perimeter(hole);
+    }
+    for (const Path& path : paths) {
+        drawn += perimeter(flattened(path, tolerance));
+        closed = closed && path.closed;
+    }
+    constexpr double same_outline = 1e-3;
+    if (closed && std::abs(outline - drawn) <= same_outline * drawn) return inset(area, -radius, tolerance);
+    return united(area, stroked(paths, shape, radius, tolerance));
+}
+
+class Ids {
+  public:
+    /// `id` for the first piece, "id/2", "id/3" ... for the next: the number of the piece, so that an id
+    /// outlives a dropped sibling.
+    std::string next(const std::string& id, std::size_t piece) {
+        std::string name = piece == 0 ? id : fmt::format("{}/{}", id, piece + 1);
+        // The same id twice in a file is against the rules, and common.
+        if (!used_.insert(name).second) {
+            int& number = last_[id];
+            number = std::max(number, static_cast<int>(piece) + 1);
+            do name = fmt::format("{}/{}", id, ++number);
+            while (!used_.insert(name).second);
+        }
+        return name;
+    }
+
+  private:
+    std::set<std::string> used_;
+    std::map<std::string, int> last_;
+};
+
+}  // namespace
+
+std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placement& placement,
+                                 const Robot& robot, const DrawingOptions& options, DrawingCounts& counts,
+                                 const Progress& progress) {
+    // Areas below the flattening's own error are what rounding left of a fill without area.
+    const double sliver = options.tolerance * options.tolerance;
+    std::vector<Element> elements;
+    Ids ids;
+    std::size_t done = 0;
+    for (const Inked& inked : shapes) {
+        progress.report("drawing", static_cast<double>(done++) / static_cast<double>(shapes.size()));
+        const svg::Shape& shape = *inked.shape;
+        std::vector<Path> paths;
+        for (const Path& path : shape.subpaths) paths.push_back(transformed(path, placement.to_canvas));
+
+        Regions area;
+        if (inked.fill) {
+            area = filled(paths, shape.fill_rule, options.tolerance);
+            const auto slivers =
+                std::erase_if(area, [&](const Region& region) { return strandline::area(region) < sliver; });
+            if (!inked.stroke) counts.too_small += static_cast<int>(slivers);
+        }
+        const bool had_fill = !area.empty();
+        Inked rest = inked;
+        rest.fill = had_fill;
+        if (stroke_is_area(rest, robot, placement.scale)) {
+            const double radius = shape.stroke_width * placement.scale / 2;
+            area = had_fill ? grown_by_stroke(area, paths, shape, radius, options.tolerance)
+                            : stroked(paths, shape, radius, options.tolerance);
+            if (!had_fill) ++counts.wide_strokes;
+        }
+        if (had_fill && inked.stroke) ++counts.merged;
+
+        if (!area.empty()) {
+            for (std::size_t piece = 0; piece < area.size(); ++piece) {
+                if (strandline::area(area[piece]) < std::max(sliver, options.min_area)) {
+                    ++counts.too_small;
+                    continue;
+                }
+                elements.push_back(
+                    {ids.next(shape.id, piece), shape.layer, RegionElement{std::move(area[piece])}});
+            }
+        } else if (inked.stroke) {
+            for (std::size_t piece = 0; piece < paths.size(); ++piece)
+                elements.push_back({ids.next(shape.id, piece), shape.layer,
+                                    LineElement{std::move(paths[piece]), inked.pins}});
+        }
+    }
+    return elements;
+}
+
+void drop_short(std::vector<Element>& elements, double min_length, DrawingCounts& counts) {
+    counts.too_short += static_cast<int>(std::erase_if(elements, [&](const Element& element) {
+        // A path of no length at all goes even where every length is welcome: nobody can drive it.
+        constexpr double no_length = 1e-9;
+        return !is_region(element) && length(element) < std::max(min_length, no_length);
+    }));
+}
+
+}  // namespace strandline::drawing_parts

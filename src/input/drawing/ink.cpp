@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "input/drawing/parts.hpp"
+
+namespace strandline::drawing_parts {
+namespace {
+
+constexpr svg::Colour start_mark{0, 255, 0};
+// Widths that went through transforms: 3 must not become 3.0000001 and two pins more.
+constexpr double width_slack = 1e-6;
+
+double linear(double channel) {
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+/// The thresholds of 2014: strokes up to the first leave no mark, then 1, 3, 5 and 7 of 7 pins, more than the
+/// last one too.
+int pins_by_sizes(const std::vector<double>& sizes, const Robot& robot, double width) {
+    constexpr std::array<int, 5> of_seven{0, 1, 3, 5, 7};
+    std::size_t step = 0;
+    while (step + 1 < sizes.size() && width > sizes[step] * (1 + width_slack)) ++step;
+    const int wanted = of_seven[std::min(step, of_seven.size() - 1)];
+    if (wanted == 0 || robot.pins == 7) return wanted;
+    return std::clamp(static_cast<int>(std::lround(wanted * robot.pins / 7.0)), 1, robot.pins);
+}
+
+/// All points on one straight line: nothing to fill.
+bool is_flat(const Path& path) {
+    const Box box = bounds(path);
+    const double extent = std::max(box.width(), box.height());
+    if (!(extent > 0)) return true;
+    const std::vector<Point> points = flattened(path, extent / 100);
+    const Point a = points.front();
+    const Point b = *std::ranges::max_element(points, {}, [&](Point p) { return distance(a, p); });
+    return std::ranges::all_of(points,
+                               [&](Point p) { return distance_to_segment(p, a, b) <= 1e-9 * extent; });
+}
+
+}  // namespace
+
+bool is_ink(const std::optional<svg::Paint>& paint, double ink_threshold) {
+    if (!paint || !(paint->opacity > 0)) return false;
+    const auto seen = [&](unsigned char channel) {
+        return linear(1 + (channel / 255.0 - 1) * std::min(1.0, paint->opacity));
+    };
+    const svg::Colour c = paint->colour;
+    return 0.2126 * seen(c.r) + 0.7152 * seen(c.g) + 0.0722 * seen(c.b) <= ink_threshold;
+}
+
+bool stroke_is_area(const Inked& inked, const Robot& robot, double scale) {
+    if (!inked.stroke) return false;
+    const double width = inked.shape->stroke_width * scale;
+    // Beside a fill, a stroke narrower than one groove adds nothing that the rake could show.
+    if (inked.fill && width >= robot.pin_pitch) return true;
+    return robot.fill_wide_strokes && width > robot.rake_width();
+}
+
+Ink ink_of(const svg::Document& document, const Robot& robot, double ink_threshold) {
+    Ink ink;
+    for (const svg::Shape& shape : document.shapes) {
+        if (shape.subpaths.empty()) continue;
+        if (shape.stroke && shape.stroke->opacity > 0 && shape.stroke->colour == start_mark) {
+            if (ink.start)
+                ink.warnings.push_back({shape.place, "a second start mark (stroke #00ff00) is ignored"});
+            else
+                ink.start = shape.subpaths.front().start;
+            continue;
+        }
+        Inked inked{&shape};
+        inked.fill = is_ink(shape.fill, ink_threshold) && !std::ranges::all_of(shape.subpaths, is_flat);
+        inked.stroke = is_ink(shape.stroke, ink_threshold);
+        if (inked.stroke) {
+            inked.pins = document.rake_sizes.empty()
+                             ? pins_for_width(robot, shape.stroke_width)
+                             : pins_by_sizes(document.rake_sizes, robot, shape.stroke_width);
+            inked.stroke = inked.pins > 0;
+            if (!inked.stroke) {
+                ++ink.bare;
+                ink.warnings.push_back(
+                    {shape.place, fmt::format("a stroke of width {:.3g} is drawn with no pin: left out",
+                                              shape.stroke_width)});
+            }
+        } else if (shape.stroke) {
+            ++ink.bare;
+        }
+        if (!inked.fill && (shape.fill || !shape.stroke) &&
+            !(inked.stroke && is_ink(shape.fill, ink_threshold)))
+            ++ink.bare;
+        if (inked.fill || inked.stroke) ink.shapes.push_back(inked);
+    }
+    return ink;
+}
+
+}  // namespace strandline::drawing_parts

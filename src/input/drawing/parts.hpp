@@ -1,0 +1,89 @@
+#pragma once
+// What make_drawing is put together from; private to this room. User units until `placed`, metres on the
+// canvas after it.
+#include <string>
+#include <vector>
+
+#include "input/drawing/drawing.hpp"
+
+namespace strandline::drawing_parts {
+
+/// A shape of which something is drawn.
+struct Inked {
+    const svg::Shape* shape;
+    bool fill = false, stroke = false;
+    int pins = 0;  ///< of the stroke
+};
+
+/// What of the document is ink; bare paint is counted, the start mark (stroke #00ff00) taken out. Order kept.
+struct Ink {
+    std::vector<Inked> shapes;
+    std::optional<Point> start;  ///< user units
+    int bare = 0;
+    Warnings warnings;
+};
+Ink ink_of(const svg::Document& document, const Robot& robot, double ink_threshold);
+/// Does paint of that colour, laid on white, stay at or below the threshold of relative luminance (IEC
+/// 61966-2-1)?
+bool is_ink(const std::optional<svg::Paint>& paint, double ink_threshold);
+
+/// Does this stroke, `scale` metres a user unit, become an area by itself or grow its shape's area?
+bool stroke_is_area(const Inked& inked, const Robot& robot, double scale);
+
+struct Placement {
+    Affine to_canvas;
+    double scale = 1;
+    std::optional<double> scale_denominator;
+    Warnings warnings;
+};
+Outcome<Placement> placed(const svg::Document& document, const std::vector<Inked>& shapes, const Robot& robot,
+                          const DrawingOptions& options);
+
+/// Elements in painting order, ids unique, `inside` not yet known.
+std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placement& placement,
+                                 const Robot& robot, const DrawingOptions& options, DrawingCounts& counts,
+                                 const Progress& progress);
+
+/// Lines that are one line or whose ends meet become one; see docs/drawing.md. The element keeps the place
+/// and the id of its first piece.
+void join_lines(std::vector<Element>& elements, double tolerance, DrawingCounts& counts);
+/// Of elements that are the same within the tolerance the first stays, with the most pins of them.
+void drop_duplicates(std::vector<Element>& elements, double tolerance, DrawingCounts& counts);
+void drop_short(std::vector<Element>& elements, double min_length, DrawingCounts& counts);
+/// Sets `inside` of every element.
+void find_enclosures(std::vector<Element>& elements, double tolerance);
+
+/// Finds points near a point: cells of the tolerance's size, sorted. Build O(n log n), a visit O(log n +
+/// points near).
+class NearIndex {
+  public:
+    NearIndex(const std::vector<Point>& points, double tolerance);
+    /// visit(i) for every point i within the tolerance of p, in rising cell order, until it says false.
+    template <class Visit>
+    void visit_near(Point p, Visit visit) const {
+        const Cell middle = cell(p);
+        for (long long dx = -1; dx <= 1; ++dx)
+            for (long long dy = -1; dy <= 1; ++dy) {
+                const Cell wanted{middle.x + dx, middle.y + dy, -1};
+                for (auto at = lower(wanted); at != cells_.end() && at->x == wanted.x && at->y == wanted.y;
+                     ++at)
+                    if (distance(points_[static_cast<std::size_t>(at->point)], p) <= tolerance_ &&
+                        !visit(at->point))
+                        return;
+            }
+    }
+
+  private:
+    struct Cell {
+        long long x, y;
+        int point;
+        auto operator<=>(const Cell&) const = default;
+    };
+    Cell cell(Point p) const;
+    std::vector<Cell>::const_iterator lower(const Cell& wanted) const;
+    std::vector<Point> points_;
+    std::vector<Cell> cells_;
+    double tolerance_;
+};
+
+}  // namespace strandline::drawing_parts

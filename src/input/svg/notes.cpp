@@ -1,0 +1,30 @@
+#include "input/svg/notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace strandline::svg {
+
+void note(Notes& notes, std::string_view kind, pugi::xml_node node, std::string_view detail) {
+    const auto known = std::ranges::find(notes.list, kind, &Note::kind);
+    if (known != notes.list.end()) {
+        ++known->count;
+        return;
+    }
+    constexpr std::size_t detail_length = 120;
+    notes.list.push_back({kind, place_of(notes.markup, node), clipped(detail, detail_length), 1});
+}
+
+Warnings as_warnings(const Notes& notes) {
+    Warnings warnings = notes.markup.warnings;
+    for (const auto& [kind, place, detail, count] : notes.list) {
+        std::string reason(kind);
+        if (!detail.empty()) reason += ": " + detail;
+        if (count > 1) reason += fmt::format(" ({} times, first here)", count);
+        warnings.push_back({place, std::move(reason)});
+    }
+    return warnings;
+}
+
+}  // namespace strandline::svg

@@ -1,0 +1,31 @@
+#pragma once
+// Private to the room: what the styles hand to fill_region.
+#include "path/fill/fill.hpp"
+
+namespace strandline::fill {
+
+/// One go of the rake as a chain of points. `way`: the corners of the rake-up way from the last pass's end to
+/// this one's start, both left out; empty: straight.
+struct Pass {
+    Polyline way, line;
+};
+std::vector<Pass> spiral_passes(const Region& region, const std::string& place, const Options& options,
+                                Fill& account);
+std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, const Options& options,
+                                Fill& account);
+
+/// Where the centre of a rake may be without any of it leaving the region: the inset by half the width,
+/// without parts that serve less than `min_area` (counted in `account`).
+Regions room_for_centre(const Region& region, const std::string& place, const Options& options,
+                        Fill& account);
+/// The middle line of a long thin area without holes: midpoints of the pairs of outline points that are
+/// equally far from the tip at which pairing leaves the least distance. Empty when a pair is farther apart
+/// than `widest`. O(corners), 48 x 64 samples.
+Polyline middle_line(const Polygon& outline, double widest);
+/// The chain without corners that lie within `tolerance` of it: Douglas-Peucker (1973).
+Polyline thinned(const Polyline& line, double tolerance);
+/// The chain with its corners rounded to `radius`, or as much as half the shorter neighbour allows. Corners
+/// of less than about 6 degrees stay.
+Polyline rounded(const Polyline& line, double radius);
+
+}  // namespace strandline::fill

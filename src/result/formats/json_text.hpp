@@ -1,0 +1,25 @@
+#pragma once
+// JSON as text, piece by piece: what the writers of this room share.
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+namespace strandline::formats {
+
+/// Text that grows; kept as one buffer because a plan has some 100,000 numbers.
+using Text = fmt::memory_buffer;
+
+void add(Text& text, std::string_view piece);
+/// Shortest digits that read back to the same double; -0.0 keeps its sign; what is not finite becomes null,
+/// as JSON has no word for it.
+void add_number(Text& text, double value);
+void add_number(Text& text, long long value);
+/// Quoted and escaped. Bytes that are not UTF-8 become U+FFFD: a file that nothing can read helps nobody.
+void add_string(Text& text, std::string_view value);
+
+/// "0.123000" with that many decimals, zero never negative: "-0.000000" is another text than "0.000000" to a
+/// diff.
+void add_fixed(Text& text, double value, int decimals);
+
+}  // namespace strandline::formats

@@ -1,0 +1,350 @@
+// A parsed file taken apart into a Plan, strictly: every key of the schema, and no other.
+#include "result/formats/plan_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "result/formats/plan_schema.hpp"
+
+namespace strandline::formats {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A value of the file and the way to it, from which the JSON pointer (RFC 6901) is put together when
+/// something is wrong there.
+struct At {
+    const Json& value;
+    const At* parent = nullptr;
+    std::string_view key = {};
+    std::size_t index = 0;
+};
+
+std::string pointer(const At& at) {
+    if (!at.parent) return {};
+    return pointer(*at.parent) + "/" + (at.key.empty() ? std::to_string(at.index) : std::string(at.key));
+}
+
+/// Thrown and caught inside this file only: a reader of sixty nested fields stays readable that way.
+struct Refused {
+    std::string pointer, reason;
+};
+[[noreturn]] void refuse(const At& at, std::string reason) { throw Refused{pointer(at), std::move(reason)}; }
+
+std::string kind_of(const Json& value) {
+    if (value.is_null()) return "null";
+    if (value.is_number()) return value.is_number_integer() ? "a whole number" : "a number";
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return "an array";
+    return value.is_string() ? "a text" : "true or false";
+}
+[[noreturn]] void mistyped(const At& at, const char* wanted) {
+    refuse(at, fmt::format("{} where {} belongs", kind_of(at.value), wanted));
+}
+
+const Json::array_t& array_at(const At& at) {
+    if (!at.value.is_array()) mistyped(at, "an array");
+    return at.value.get_ref<const Json::array_t&>();
+}
+/// An array that holds whole groups of `group` values.
+const Json::array_t& groups_at(const At& at, std::size_t group) {
+    const auto& values = array_at(at);
+    if (values.size() % group != 0)
+        refuse(at, fmt::format("holds {} values, not a multiple of {}", values.size(), group));
+    return values;
+}
+At child(const At& at, std::string_view key) {
+    if (!at.value.is_object()) mistyped(at, "an object");
+    const auto found = at.value.find(key);
+    if (found == at.value.end()) refuse(at, fmt::format("\"{}\" is missing", key));
+    return {*found, &at, key};
+}
+At item(const At& at, std::size_t index) { return {at.value[index], &at, {}, index}; }
+
+template <class T>
+concept Described = requires(T& value) {
+    fields(value, [](const char*, auto&) {});
+};
+
+/// One overload of get() a type; mirrors PlanWriter.
+class PlanReader {
+  public:
+    template <Described T>
+    void get(const At& at, T& value) {
+        std::vector<std::string_view> known;
+        fields(value, [&](const char* key, auto& field) {
+            get(child(at, key), field);
+            known.push_back(key);
+        });
+        no_others(at, known);
+    }
+    template <Described T>
+    void get(const At& at, std::vector<T>& values) {
+        values.resize(array_at(at).size());
+        for (std::size_t i = 0; i < values.size(); ++i) get(item(at, i), values[i]);
+    }
+    void get(const At& at, Plan& plan) {
+        std::vector<std::string_view> known{"format", "version"};
+        fields(plan, [&](const char* key, auto& field) {
+            get(child(at, key), field);
+            known.push_back(key);
+        });
+        no_others(at, known);
+    }
+
+    void get(const At& at, double& value) { value = number(at); }
+    void get(const At& at, int& value) {
+        value = static_cast<int>(whole(at, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+    }
+    void get(const At& at, bool& value) {
+        if (!at.value.is_boolean()) mistyped(at, "true or false");
+        value = at.value.get<bool>();
+    }
+    void get(const At& at, std::string& value) {
+        if (!at.value.is_string()) mistyped(at, "a text");
+        value = at.value.get_ref<const std::string&>();
+    }
+    template <class T>
+    void get(const At& at, std::optional<T>& value) {
+        if (!at.value.is_null()) get(at, value.emplace());
+    }
+    void get(const At& at, std::vector<std::string>& values) { each(at, values); }
+
+    void get(const At& at, Point& p) {
+        const auto n = exactly(at, 2);
+        p = {n[0], n[1]};
+    }
+    void get(const At& at, Affine& m) {
+        const auto n = exactly(at, 6);
+        m = {n[0], n[1], n[2], n[3], n[4], n[5]};
+    }
+    void get(const At& at, std::vector<double>& values) { values = numbers(at); }
+    void get(const At& at, Polygon& polygon) {
+        groups_at(at, 2);
+        const auto n = numbers(at);
+        for (std::size_t i = 0; i < n.size(); i += 2) polygon.push_back({n[i], n[i + 1]});
+    }
+    void get(const At& at, std::vector<Polygon>& polygons) { each(at, polygons); }
+    void get(const At& at, Wheel& wheel) {
+        const auto n = exactly(at, 3);
+        wheel = {{n[0], n[1]}, n[2]};
+    }
+    void get(const At& at, std::vector<Wheel>& wheels) { each(at, wheels); }
+    void get(const At& at, RakeRule& rule) {
+        if (array_at(at).size() != 2) refuse(at, "a rake rule is [up_to, pins]");
+        get(item(at, 0), rule.up_to);
+        get(item(at, 1), rule.pins);
+    }
+    void get(const At& at, std::vector<RakeRule>& rules) { each(at, rules); }
+    void get(const At& at, std::vector<Node>& nodes) {
+        const auto& values = groups_at(at, 4);
+        nodes.resize(values.size() / 4);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            Node& node = nodes[i];
+            node.s = number(item(at, 4 * i));
+            node.at = {number(item(at, 4 * i + 1)), number(item(at, 4 * i + 2))};
+            get(item(at, 4 * i + 3), node.drawn);
+        }
+    }
+    void get(const At& at, Curve& curve) {
+        const auto n = numbers(at);
+        if (n.size() < 3 || n.size() % 3 != 0)
+            refuse(at, fmt::format("a curve of {} numbers: x, y, heading, then three a piece", n.size()));
+        curve.start = {{n[0], n[1]}, n[2]};
+        for (std::size_t i = 3; i < n.size(); i += 3) {
+            if (n[i] < 0) refuse(item(at, i), "a piece of negative length");
+            curve.pieces.push_back({n[i], n[i + 1], n[i + 2]});
+        }
+    }
+    void get(const At& at, std::vector<Curve>& curves) { each(at, curves); }
+
+    void get(const At& at, Path& path) {
+        const auto& values = array_at(at);
+        std::size_t i = 0;
+        const auto next_number = [&] {
+            if (i >= values.size()) refuse(at, "the path ends inside a segment");
+            return number(item(at, i++));
+        };
+        const auto next_point = [&] {
+            const double x = next_number();
+            return Point{x, next_number()};
+        };
+        while (i < values.size()) {
+            const At place = item(at, i);
+            std::string letter;
+            get(place, letter);
+            if ((letter == "M") != (i == 0)) refuse(place, "a path begins with the one M that it has");
+            ++i;
+            if (letter == "M") {
+                path.start = next_point();
+            } else if (letter == "L") {
+                path.segments.push_back(LineSegment{next_point()});
+            } else if (letter == "C") {
+                const Point control1 = next_point(), control2 = next_point();
+                path.segments.push_back(CubicSegment{control1, control2, next_point()});
+            } else if (letter == "A") {
+                const Point center = next_point(), u = next_point(), v = next_point();
+                const double start = next_number(), sweep = next_number();
+                path.segments.push_back(ArcSegment{center, u, v, start, sweep, next_point()});
+            } else if (letter == "Z" && i == values.size()) {
+                path.closed = true;
+            } else {
+                refuse(place, fmt::format("\"{}\" is no segment of a path", letter));
+            }
+        }
+        if (values.empty()) refuse(at, "a path begins with the one M that it has");
+    }
+    void get(const At& at, std::variant<LineElement, RegionElement>& what) {
+        if (at.value.is_object() && at.value.size() == 1 && at.value.contains("line"))
+            get(child(at, "line"), what.emplace<LineElement>());
+        else if (at.value.is_object() && at.value.size() == 1)
+            get(child(at, "region"), what.emplace<RegionElement>().region);
+        else
+            refuse(at, "an element is either {\"line\": ...} or {\"region\": ...}");
+    }
+
+    void get(const At& at, Options& options) {
+        std::vector<std::string_view> known;
+        for (const Setting& setting : settings()) {
+            const At place = child(at, setting.key);
+            std::string text;
+            get(place, text);
+            if (const auto done = set(options, setting.key, text); !done)
+                refuse(place, sentence(done.error()));
+            known.push_back(setting.key);
+        }
+        no_others(at, known);
+    }
+
+    void get(const At& at, std::vector<Edit>& edits) { each(at, edits); }
+    void get(const At& at, Edit& edit) {
+        std::string kind;
+        get(child(at, "edit"), kind);
+        if (kind == "link") {
+            LinkEdit& link = edit.emplace<LinkEdit>();
+            get(child(at, "a"), link.a);
+            get(child(at, "b"), link.b);
+            no_others(at, {"edit", "a", "b"});
+        } else if (kind == "entry") {
+            get(child(at, "at"), edit.emplace<EntryEdit>().at);
+            no_others(at, {"edit", "at"});
+        } else if (kind == "direction") {
+            DirectionEdit& direction = edit.emplace<DirectionEdit>();
+            get(child(at, "element"), direction.element);
+            get(child(at, "direction"), direction.direction);
+            no_others(at, {"edit", "element", "direction"});
+        } else {
+            refuse(child(at, "edit"), fmt::format("\"{}\" is no edit: link, entry or direction", kind));
+        }
+    }
+    void get(const At& at, NodeName& node) {
+        if (array_at(at).size() != 2) refuse(at, "a node is [element, number]");
+        get(item(at, 0), node.element);
+        get(item(at, 1), node.node);
+    }
+
+    void get(const At& at, std::vector<Sample>& samples) {
+        rows_ = array_at(child(at, "t")).size();
+        SampleColumns columns;
+        get(at, columns);
+        for (const auto* column : {&columns.x, &columns.y, &columns.heading, &columns.curvature,
+                                   &columns.speed, &columns.turn_rate, &columns.rake_x, &columns.rake_y})
+            if (column->size() != rows_)
+                refuse(at, fmt::format("its columns differ in length: {} values of t, {} of another", rows_,
+                                       column->size()));
+        samples.resize(rows_);
+        for (std::size_t i = 0; i < rows_; ++i)
+            samples[i] = {columns.t[i],
+                          {{columns.x[i], columns.y[i]}, columns.heading[i]},
+                          columns.curvature[i],
+                          columns.speed[i],
+                          columns.turn_rate[i],
+                          {columns.rake_x[i], columns.rake_y[i]},
+                          static_cast<unsigned>(columns.mask[i]),
+                          columns.motion[i],
+                          static_cast<int>(columns.stroke[i])};
+    }
+    void get(const At& at, std::vector<long long>& values) {
+        runs(at, values, [&](const At& place) {
+            return whole(place, std::numeric_limits<int>::min(), std::numeric_limits<unsigned>::max());
+        });
+    }
+    void get(const At& at, std::vector<Motion>& values) {
+        runs(at, values, [&](const At& place) {
+            std::string name;
+            get(place, name);
+            for (const Motion motion :
+                 {Motion::draw, Motion::lead, Motion::loop, Motion::connect, Motion::pivot})
+                if (name == name_of(motion)) return motion;
+            refuse(place, fmt::format("\"{}\" is no motion", name));
+        });
+    }
+
+  private:
+    double number(const At& at) {
+        if (!at.value.is_number()) mistyped(at, "a finite number");
+        return at.value.get<double>();  // finite: the parser refuses 1e999
+    }
+    long long whole(const At& at, long long low, long long high) {
+        const Json& value = at.value;
+        if (!value.is_number_integer()) mistyped(at, "a whole number");
+        const bool huge = value.is_number_unsigned() &&
+                          value.get<unsigned long long>() > static_cast<unsigned long long>(high);
+        if (huge || value.get<long long>() < low || value.get<long long>() > high)
+            refuse(at, fmt::format("{} is out of range", value.dump()));
+        return value.get<long long>();
+    }
+    std::vector<double> numbers(const At& at) {
+        const auto& values = array_at(at);
+        std::vector<double> list(values.size());
+        for (std::size_t i = 0; i < list.size(); ++i) list[i] = number(item(at, i));
+        return list;
+    }
+    std::vector<double> exactly(const At& at, std::size_t count) {
+        auto list = numbers(at);
+        if (list.size() != count) refuse(at, fmt::format("{} numbers where {} belong", list.size(), count));
+        return list;
+    }
+    template <class T>
+    void each(const At& at, std::vector<T>& values) {
+        values.resize(array_at(at).size());
+        for (std::size_t i = 0; i < values.size(); ++i) get(item(at, i), values[i]);
+    }
+    /// [value, count, ...]; the counts add up to the rows, which are known from a column written out: no
+    /// count can ask for more memory.
+    template <class T, class Read>
+    void runs(const At& at, std::vector<T>& values, Read&& read) {
+        const auto& pairs = groups_at(at, 2);
+        for (std::size_t i = 0; i < pairs.size(); i += 2) {
+            const T value = read(item(at, i));
+            const auto left = static_cast<long long>(rows_ - values.size());
+            values.insert(values.end(), static_cast<std::size_t>(whole(item(at, i + 1), 1, left)), value);
+        }
+        if (values.size() != rows_)
+            refuse(at, fmt::format("its runs add up to {} samples of {}", values.size(), rows_));
+    }
+    static void no_others(const At& at, const std::vector<std::string_view>& known) {
+        if (at.value.size() == known.size()) return;
+        for (const auto& [key, value] : at.value.items())
+            if (std::ranges::find(known, key) == known.end())
+                refuse(at, fmt::format("\"{}\" is no key of it", key));
+    }
+
+    std::size_t rows_ = 0;
+};
+
+}  // namespace
+
+std::optional<Flaw> take_apart(const nlohmann::json& json, Plan& plan) {
+    try {
+        PlanReader().get(At{json}, plan);
+    } catch (const Refused& refused) {
+        return Flaw{refused.pointer, refused.reason};
+    }
+    return std::nullopt;
+}
+
+}  // namespace strandline::formats

@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include "fill/areas.hpp"
+
+namespace strandline {
+namespace {
+
+using fill::Fill;
+using fill::fill_region;
+using fill::Options;
+using fill::Partition;
+using fill::Style;
+
+TEST(FillStyles, ASquareIsOneSpiralStroke) {
+    const Fill fill =
+        fill_region(areas::square(), 0, "area", {.style = Style::spiral, .width = 0.4, .spacing = 0.4});
+    EXPECT_EQ(fill.strokes.size(), 1u);
+    EXPECT_LT(fill.swept / fill.area, 1.03);
+}
+
+TEST(FillStyles, ARingIsFilledFromItsHoleOutwardsInOneStroke) {
+    const Region ring =
+        areas::of({shapes::square({0, 0}, 9.2), shapes::square({3.2, 3.2}, 2.8)});  // four rakes of 0.8
+    const Fill fill = fill_region(ring, 0, "area", {.style = Style::spiral, .width = 0.8, .spacing = 0.8});
+    ASSERT_FALSE(fill.strokes.empty());
+    const Point first = fill.strokes.front().nodes.front().at, last = fill.strokes.back().nodes.back().at;
+    EXPECT_LT(distance_to_outline(ring.holes[0], first), distance_to_outline(ring.outer, first));
+    EXPECT_NEAR(distance_to_outline(ring.outer, last), 0.4, 0.01);
+}
+
+TEST(FillStyles, ZigzagLinesRunInTheGivenDirection) {
+    Options options{.style = Style::zigzag, .width = 0.4, .spacing = 0.4};
+    options.direction = 0.3;
+    options.border = options.rake_turns = false;
+    const Fill fill = fill_region(areas::square(), 0, "area", options);
+    EXPECT_GT(fill.strokes.size(), 15u);
+    for (const Stroke& stroke : fill.strokes)
+        EXPECT_NEAR(std::remainder(stroke.rake_path.front().start.heading - 0.3, pi), 0, 1e-9);
+}
+
+TEST(FillStyles, TheBestDirectionOfALongAreaIsItsLength) {
+    Options options{.style = Style::zigzag, .width = 0.4, .spacing = 0.4};
+    options.border = false;
+    const Region bar = shapes::moved({areas::of({{{0, 0}, {9, 0}, {9, 1.6}, {0, 1.6}}})}, shapes::turned)[0];
+    const Fill fill = fill_region(bar, 0, "area", options);
+    const double along = heading(apply_to_vector(shapes::turned, {1, 0}));
+    EXPECT_NEAR(std::remainder(fill.strokes.front().rake_path.front().start.heading - along, pi), 0, 1e-6);
+    EXPECT_NEAR(fill.swept / fill.area, 1, 0.15);
+}
+
+TEST(FillStyles, NeighbouringLinesKeepTheSpacing) {
+    Options options{.style = Style::zigzag, .width = 0.4, .spacing = 0.3};
+    options.direction = 0;
+    options.border = options.rake_turns = false;
+    const Fill fill = fill_region(areas::square(), 0, "area", options);
+    ASSERT_EQ(fill.strokes.size(), 20u);
+    for (std::size_t i = 1; i < fill.strokes.size(); ++i) {
+        const double step = std::abs(fill.strokes[i].nodes[0].at.y - fill.strokes[i - 1].nodes[0].at.y);
+        EXPECT_LE(step, 0.3 + 1e-9);
+        EXPECT_GT(step, 0.29);
+    }
+}
+
+TEST(FillStyles, RakedTurnsJoinLinesAndLiftedOnesDoNot) {
+    Options options{.style = Style::zigzag, .width = 0.4, .spacing = 0.4};
+    EXPECT_EQ(fill_region(areas::square(), 0, "area", options).strokes.size(), 2u);  // lines, border
+    options.rake_turns = false;
+    EXPECT_GT(fill_region(areas::square(), 0, "area", options).strokes.size(), 10u);
+}
+
+TEST(FillStyles, EveryPartitionFills) {
+    for (Partition partition : {Partition::none, Partition::monotone, Partition::optimal_convex})
+        for (const Region& region : {areas::square(), areas::letter_l()}) {
+            const Fill fill =
+                fill_region(region, 0, "area",
+                            {.style = Style::zigzag, .width = 0.4, .spacing = 0.4, .partition = partition});
+            EXPECT_TRUE(fill.warnings.empty());
+            EXPECT_GT(areas::judged(region, fill, 0.4).coverage, 0.98) << static_cast<int>(partition);
+        }
+}
+
+TEST(FillStyles, ConvexPartsOfAnAreaWithHolesAreReplacedWithAWarning) {
+    const Fill fill = fill_region(
+        areas::ring(), 0, "the ring",
+        {.style = Style::zigzag, .width = 0.4, .spacing = 0.4, .partition = Partition::optimal_convex});
+    ASSERT_EQ(fill.warnings.size(), 1u);
+    EXPECT_EQ(fill.warnings[0].place, "the ring");
+    EXPECT_NE(fill.warnings[0].reason.find("monotone"), std::string::npos);
+    EXPECT_GT(areas::judged(areas::ring(), fill, 0.4).coverage, 0.98);
+}
+
+TEST(FillStyles, AnInsetOfThePartsLeavesSandBetweenThem) {
+    Options options{.style = Style::zigzag, .width = 0.4, .spacing = 0.4};
+    const double full = fill_region(areas::ring(), 0, "area", options).swept;
+    options.part_inset = 0.3;
+    const Fill fill = fill_region(areas::ring(), 0, "area", options);
+    EXPECT_LT(fill.swept, 0.95 * full);
+    EXPECT_LT(areas::judged(areas::ring(), fill, 0.4).spill, 0.001);
+}
+
+TEST(FillStyles, ATurnRadiusLeavesHardlyAnyCorners) {
+    Options options{.style = Style::spiral, .width = 0.4, .spacing = 0.4, .turn_radius = 0.25};
+    const Fill round = fill_region(areas::letter_l(), 0, "area", options);
+    options.turn_radius = 0;
+    const Fill sharp = fill_region(areas::letter_l(), 0, "area", options);
+    const auto corners = [](const Fill& fill) {
+        int count = 0;
+        for (const Stroke& stroke : fill.strokes)
+            for (std::size_t i = 1; i < stroke.rake_path.size(); ++i) {
+                const double before = end_pose(stroke.rake_path[i - 1]).heading;
+                if (std::abs(wrap_angle(stroke.rake_path[i].start.heading - before)) > 0.4) ++count;
+            }
+        return count;
+    };
+    EXPECT_GT(corners(sharp), 15);
+    EXPECT_LE(corners(round), 6);  // about the spine, where there is no room to turn
+    EXPECT_GT(areas::judged(areas::letter_l(), round, 0.4).coverage, 0.95);
+}
+
+TEST(FillStyles, AnAreaNarrowerThanTheRakeIsOnePassWithAWarning) {
+    for (Style style : {Style::spiral, Style::zigzag}) {
+        const Fill fill = fill_region(areas::of({{{0, 0}, {5, 0}, {5, 0.3}, {0, 0.3}}}), 0, "bar",
+                                      {.style = style, .width = 0.4, .spacing = 0.4});
+        ASSERT_EQ(fill.strokes.size(), 1u);
+        ASSERT_EQ(fill.warnings.size(), 1u);
+        EXPECT_EQ(fill.warnings[0].place, "bar");
+        EXPECT_NEAR(fill.swept, 5 * 0.4, 0.05);
+    }
+}
+
+TEST(FillStyles, WhatIsTooSmallIsDroppedCountedAndSaid) {
+    const Fill fill =
+        fill_region(areas::of({shapes::square({0, 0}, 0.05)}), 0, "speck", {.width = 0.4, .spacing = 0.4});
+    EXPECT_TRUE(fill.strokes.empty());
+    EXPECT_EQ(fill.dropped_parts, 1);
+    EXPECT_EQ(fill.warnings.size(), 1u);
+}
+
+TEST(FillStyles, AnArmTooNarrowForTheRakeIsNamedByPlace) {
+    const Region key = areas::of({{{0, 0}, {3, 0}, {3, 1.4}, {8, 1.4}, {8, 1.6}, {3, 1.6}, {3, 3}, {0, 3}}});
+    const Fill fill = fill_region(key, 0, "key", {.width = 0.4, .spacing = 0.4});
+    ASSERT_EQ(fill.warnings.size(), 1u);
+    EXPECT_NE(fill.warnings[0].reason.find("left bare"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strandline
