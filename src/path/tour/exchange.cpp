@@ -7,13 +7,19 @@ namespace {
 constexpr int breadth[most_links] = {0, 5, 3, 2, 1};
 /// The most of them.
 constexpr int widest = 5;
+/// The gate has two nodes.
+constexpr int most_loose = 2;
+/// Depth to which a join with a loose node is followed up.
+constexpr int deepest_loose = 1;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
 double Exchange::evaluate(Search& search, int node) {
     t_[0] = node;
     t_[1] = search.tour.mate(node);
-    return deeper(search, 1, search.tour.gap(t_[0], t_[1]));
+    return deeper(search, 1, search.tour.link(node));
 }
 
 double Exchange::deeper(Search& search, int k, double gain) {
@@ -21,30 +27,41 @@ double Exchange::deeper(Search& search, int k, double gain) {
     const Model& model = tour.model();
     const double tolerance = model.tolerance;
     const int last = t_[2 * k - 1];
-    const Candidates& near = search.candidates;
-    const int end = near.first[static_cast<std::size_t>(last + 1)];
+    const auto& lists = search.candidates;
+    const bool loose = last >= model.loose_from;
+    const Candidates::Near* near = loose ? search.longest.data() : lists.all.data() + lists.first[at(last)];
+    const Candidates::Near* end =
+        loose ? near + search.longest.size() : lists.all.data() + lists.first[at(last + 1)];
     struct Try {
         int node, mate;
         double open;
     };
-    Try tries[widest];
-    int count = 0;
-    for (int c = near.first[static_cast<std::size_t>(last)]; c < end; ++c) {
-        const auto [node, least] = near.all[static_cast<std::size_t>(c)];
-        if (gain - static_cast<double>(least) <= tolerance) break;  // the lists are sorted
-        const double left = gain - tour.gap(last, node);
+    // Loose nodes come first in every list and cost nothing: they are tried beside the best, not instead of
+    // them.
+    Try tries[widest + most_loose];
+    int count = 0, loose_count = 0;
+    for (; near != end; ++near) {
+        const auto [node, exact, least] = *near;
+        if (gain - least <= tolerance) break;  // the lists are sorted
+        const double left = gain - (exact ? least : tour.gap(last, node));
         if (left <= tolerance) continue;
         bool taken = false;
         for (int i = 0; i < 2 * k; ++i) taken = taken || t_[i] == node;
         if (taken) continue;
         const int mate = tour.mate(node);
-        const double open = left + tour.gap(node, mate);
+        const double open = left + tour.link(node);
+        if (node >= model.loose_from) {
+            tries[widest + loose_count++] = {node, mate, open};
+            continue;
+        }
         if (count == breadth[k] && tries[count - 1].open >= open) continue;
         int place = count < breadth[k] ? count++ : count - 1;
         for (; place > 0 && tries[place - 1].open < open; --place) tries[place] = tries[place - 1];
         tries[place] = {node, mate, open};
     }
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < widest + loose_count; ++i) {
+        if (i == count) i = widest;
+        if (i == widest + loose_count) break;
         const auto [node, mate, open] = tries[i];
         t_[2 * k] = node;
         t_[2 * k + 1] = mate;
@@ -58,7 +75,7 @@ double Exchange::deeper(Search& search, int k, double gain) {
             tour.back(mark);
             if (allowed) return closed;
         }
-        if (k + 1 < most_links)
+        if (k + 1 < most_links && (i < widest || k <= deepest_loose))
             if (const double found = deeper(search, k + 1, open); found > 0) return found;
     }
     return 0;

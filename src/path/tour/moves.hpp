@@ -15,6 +15,8 @@ struct Search {
     Sequence tour;
     const Candidates& candidates;
     std::mt19937_64 random;
+    std::vector<Candidates::Near>
+        longest;               ///< nodes of the longest links: candidates of loose nodes, which are near all
     std::vector<int> touched;  ///< nodes whose link changed: what the next look starts from
 };
 /// Uniform in 0 .. n-1; the bias of n / 2^32 does not matter here.

@@ -146,7 +146,7 @@ Candidates find_candidates(const Model& model, int count) {
         const int p = node / 2;
         if (node >= model.loose_from) continue;  // everything is at distance 0: no list helps
         for (int loose = model.loose_from; loose < model.node_count(); ++loose)
-            result.all.push_back({loose, 0});
+            result.all.push_back({loose, true, 0});
         const bool polygon = model.is_polygon(p);
         if (!polygon || node % 2 == 0) found.clear();
         if (!polygon) {
@@ -160,9 +160,10 @@ Candidates find_candidates(const Model& model, int count) {
         for (const Tree::Found& f : found) {
             if (f.owner / 2 == p) continue;  // the other end of the same line
             if (taken++ == count) break;
-            const float gap = static_cast<float>(std::sqrt(f.squared));
-            result.all.push_back({f.owner, gap});
-            if (model.is_polygon(f.owner / 2)) result.all.push_back({f.owner + 1, gap});
+            const double gap = std::sqrt(f.squared);
+            const bool exact = !polygon && !model.is_polygon(f.owner / 2);
+            result.all.push_back({f.owner, exact, gap});
+            if (model.is_polygon(f.owner / 2)) result.all.push_back({f.owner + 1, false, gap});
         }
     }
     result.first.push_back(static_cast<int>(result.all.size()));

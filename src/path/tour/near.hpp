@@ -47,7 +47,8 @@ class Tree {
 struct Candidates {
     struct Near {
         int node;
-        float gap;  ///< a polygon is measured at its best vertex, so this may be less than the distance now
+        bool exact;  ///< neither of the two is a polygon: gap is the distance
+        double gap;  ///< a polygon is measured at its best vertex, so this may be less than the distance now
     };
     std::vector<Near> all;
     std::vector<int> first;  ///< by node; one past the end too

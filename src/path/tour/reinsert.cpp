@@ -15,11 +15,11 @@ double Reinsert::evaluate(Search& search, int piece) {
     double best = 0;
     for (int c = near.first[static_cast<std::size_t>(a)]; c < near.first[static_cast<std::size_t>(a + 1)];
          ++c) {
-        const auto [node, least] = near.all[static_cast<std::size_t>(c)];
-        if (static_cast<double>(least) >= freed) break;
+        const auto [node, exact, least] = near.all[static_cast<std::size_t>(c)];
+        if (least >= freed) break;
         const int mate = tour.mate(node);
         if (mate / 2 == piece || node / 2 == piece) continue;
-        const double link = tour.gap(node, mate);
+        const double link = tour.link(node);
         for (int v = 0; v < own.choices; ++v) {
             const Point p = model.choices[static_cast<std::size_t>(own.first_choice + v)].at;
             const double there = (node >= model.loose_from ? 0 : distance(tour.at(node), p)) +

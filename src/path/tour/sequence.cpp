@@ -14,7 +14,8 @@ Sequence::Sequence(const Model& model, const std::vector<Visit>& order)
       loose_from_(model.loose_from),
       place_(index(model.node_count())),
       choice_(index(model.piece_count()), 0),
-      at_(model.ends) {
+      at_(model.ends),
+      link_(at_.size(), 0) {
     tour_.reserve(at_.size());
     if (model.gate) {
         tour_.push_back(model.gate_end);
@@ -24,9 +25,11 @@ Sequence::Sequence(const Model& model, const std::vector<Visit>& order)
         const int first = 2 * visit.piece + (visit.backward ? 1 : 0);
         tour_.push_back(first);
         tour_.push_back(first ^ 1);
-        if (model.is_polygon(visit.piece)) choose(visit.piece, visit.choice);
     }
     for (std::size_t k = 0; k < tour_.size(); ++k) place_[index(tour_[k])] = static_cast<int>(k);
+    for (const Visit& visit : order)
+        if (model.is_polygon(visit.piece)) choose(visit.piece, visit.choice);
+    for (const int node : tour_) measure(node);
     if (!order.empty()) anchor_ = order.front().piece;
     forget();
 }
@@ -100,7 +103,7 @@ void Sequence::exchange(const int* t, int k, int circle) {
                 laid_.push_back(node_at(place));
     }
     const int begin = wrapped(runs[longest].begin + runs[longest].count);
-    log_.push_back({begin, static_cast<int>(laid_.size()), saved_.size()});
+    log_.push_back({begin, static_cast<int>(laid_.size()), saved_.size(), 2 * k});
     int place = begin;
     for (const int node : laid_) {
         saved_.push_back(node_at(place));
@@ -108,13 +111,21 @@ void Sequence::exchange(const int* t, int k, int circle) {
         place_[index(node)] = place;
         place = wrapped(place + 1);
     }
+    for (int i = 0; i < 2 * k; ++i) {
+        saved_.push_back(t[i]);
+        measure(t[i]);
+    }
 }
 
 void Sequence::choose(int piece, int choice) {
-    log_.push_back({piece, -1, index(choice_[index(piece)])});
+    log_.push_back({piece, -1, index(choice_[index(piece)]), 0});
     choice_[index(piece)] = choice;
     at_[index(2 * piece)] = at_[index(2 * piece + 1)] =
         model_->choices[index(model_->pieces[index(piece)].first_choice + choice)].at;
+    for (const int node : {2 * piece, 2 * piece + 1}) {
+        measure(node);
+        measure(mate(node));
+    }
 }
 
 void Sequence::back(std::size_t mark) {
@@ -132,6 +143,7 @@ void Sequence::back(std::size_t mark) {
             tour_[index(place)] = node;
             place_[index(node)] = place;
         }
+        for (int i = 0; i < entry.ends; ++i) measure(saved_[entry.saved + index(entry.count + i)]);
         saved_.resize(entry.saved);
     }
 }

@@ -34,6 +34,8 @@ class Sequence {
         if (a >= loose_from_ || b >= loose_from_) return 0;
         return distance(at(a), at(b));
     }
+    /// gap(node, mate(node)), kept up to date.
+    double link(int node) const { return link_[static_cast<std::size_t>(node)]; }
     double length() const;
 
     /// Whether taking out the links (t0 t1), (t2 t3) ... and joining t1 t2, t3 t4, ... t(2k-1) t0 leaves one
@@ -59,6 +61,7 @@ class Sequence {
     struct Entry {
         int begin, count;  ///< count < 0: a choice, of piece `begin`
         std::size_t saved;
+        int ends;  ///< nodes whose link changed: saved behind the nodes of the run
     };
     struct Run {
         int begin, count;  ///< places, round the ring
@@ -68,6 +71,7 @@ class Sequence {
     /// the ring closes.
     int new_order(const int* t, int k, int circle, Run* runs) const;
     std::vector<Visit> read(int from, int step) const;
+    void measure(int node) { link_[static_cast<std::size_t>(node)] = gap(node, mate(node)); }
     int wrapped(int place) const { return place >= nodes() ? place - nodes() : place; }
 
     const Model* model_;
@@ -75,6 +79,7 @@ class Sequence {
     int anchor_ = 0;  ///< without gate: the piece that comes first
     std::vector<int> tour_, place_, choice_;
     std::vector<Point> at_;
+    std::vector<double> link_;
     std::vector<Entry> log_;
     std::vector<int> saved_, laid_;
 };
