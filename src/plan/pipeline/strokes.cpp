@@ -93,8 +93,8 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
     o.min_area = f.min_area;
     o.border = f.border;
     o.tolerance = options.drawing.tolerance;
-    // The rake can follow radii above its offset, but the nearer to it the more the bar stands skew: at 1.5 L by 42
-    // degrees, and the groove is a quarter narrower.
+    // The rake can follow radii above its offset, but the nearer to it the more the bar stands skew: at 1.5 L
+    // by 42 degrees, and the groove is a quarter narrower.
     o.turn_radius = robot.min_radius > 0 ? 1.5 * robot.rake_offset : 0;
     o.round_corners = false;  // drive knows at each corner whether the rake can follow a bend
     return o;
