@@ -18,9 +18,9 @@ struct Wishes {
     Options options;
     std::vector<Edit> edits;
 };
-/// Settings file: tables as in `strandline settings` ([fill] spacing = "40cm"), robot = "NAME", [robot] FIELD
-/// = value, and edits as arrays: link = ["a:0=b:-1"], entry = [...], direction = [...]. Errors name the key
-/// and the line.
+/// Settings file: tables as in `strandline settings` ([fill] spacing = "40cm"); robot = "NAME", or [robot]
+/// with base = "NAME" and FIELD = value; edits as lists of texts: link = ["a:0=b:-1"], entry = [...],
+/// direction = [...]. Errors name the key and the line.
 Outcome<void> read_settings_file(Wishes& wishes, const std::string& path);
 Outcome<void> set_from_text(Wishes& wishes, const std::string& key_and_value);
 Outcome<Edit> parse_link(const std::string& text);

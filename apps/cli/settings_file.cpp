@@ -41,6 +41,10 @@ Outcome<void> read_group(Wishes& wishes, const std::string& group, const toml::t
     for (const auto& [key, node] : table) {
         const auto text = text_of(node, at(path, node));
         if (!text) return tl::unexpected(text.error());
+        if (group == "robot" && key.str() == "base") {
+            wishes.robot = *text;
+            continue;
+        }
         if (group == "robot") {
             wishes.robot_fields.emplace_back(std::string(key.str()), *text);
             continue;

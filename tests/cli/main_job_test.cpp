@@ -75,7 +75,7 @@ TEST(MainJob, ASettingsFileAndEditsAreHeard) {
     const Folder folder;
     write(folder / "in.svg", two_lines);
     write(folder / "mine.toml",
-          "robot = \"beachbot\"\nlink = [\"a:0=b:-1\"]\n[trajectory]\nstep = \"3cm\"\n[robot]\nmin_radius = "
+          "link = [\"a:0=b:-1\"]\n[trajectory]\nstep = \"3cm\"\n[robot]\nbase = \"beachbot\"\nmin_radius = "
           "0.6\n");
     const Result plan = run(folder, "plan in.svg -o plan.json --config mine.toml");
     ASSERT_EQ(plan.exit, 0) << plan.err;

@@ -109,12 +109,15 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
 
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits, const Progress& progress) {
-    const auto document = svg::read(source.svg, {}, progress);
+    // Only the search may be cut short: a drawing read by half would be planned as if it were whole.
+    Progress patient = progress;
+    patient.stopped = [] { return false; };
+    const auto document = svg::read(source.svg, {}, patient);
     if (!document) return tl::unexpected(document.error());
-    auto drawing = make_drawing(*document, robot, drawing_options(options), progress);
+    auto drawing = make_drawing(*document, robot, drawing_options(options), patient);
     if (!drawing) return tl::unexpected(drawing.error());
 
-    pipeline::Strokes strokes = pipeline::strokes_of(*drawing, robot, options, progress);
+    pipeline::Strokes strokes = pipeline::strokes_of(*drawing, robot, options, patient);
     if (strokes.groups.empty())
         return fail(source.title, "nothing of the drawing can be raked at this size",
                     "make the canvas larger, or choose a narrower rake");

@@ -1,0 +1,125 @@
+#include "path/order/order.hpp"
+
+#include <gtest/gtest.h>
+
+namespace strandline::order {
+namespace {
+
+Group line_group(int element, Point a, Point b, int pins = 1) {
+    Stroke stroke;
+    stroke.element = element;
+    stroke.pins = pins;
+    stroke.rake_path = {straight({a, heading(b - a)}, distance(a, b))};
+    stroke.nodes = {{0, a, 0}, {distance(a, b), b, 1}};
+    return {{element, {stroke}}, "line " + std::to_string(element), {}, {}, {}};
+}
+
+Options options_for(const Robot& robot) {
+    Options options;
+    options.connect.limits = connect::limits_of(robot);
+    return options;
+}
+
+Job three_lines() {
+    return {{line_group(0, {0, 0}, {3, 0}), line_group(1, {0, 6}, {3, 6}), line_group(2, {0, 3}, {3, 3})},
+            {},
+            {},
+            {}};
+}
+
+void expect_legs_meet(const std::vector<Leg>& legs) {
+    for (std::size_t i = 1; i < legs.size(); ++i) {
+        const Pose a = legs[i - 1].path.back().pose, b = legs[i].path.front().pose;
+        EXPECT_LT(distance(a.at, b.at), 1e-6) << "leg " << i;
+        EXPECT_LT(std::abs(wrap_angle(a.heading - b.heading)), 1e-6) << "leg " << i;
+    }
+}
+
+TEST(Order, EveryStrokeIsDrivenOnceAndLegsMeet) {
+    const Robot robot = *builtin_robot("beachbot");
+    const auto answer = ordered(three_lines(), robot, options_for(robot));
+    ASSERT_TRUE(answer);
+    ASSERT_EQ(answer->strokes.size(), 3u);
+    std::vector<int> elements;
+    for (const Stroke& stroke : answer->strokes) elements.push_back(stroke.element);
+    std::sort(elements.begin(), elements.end());
+    EXPECT_EQ(elements, (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(answer->connections.size(), 2u);
+    expect_legs_meet(answer->legs);
+}
+
+TEST(Order, StraightLengthIsWhatLiesBetweenTheStrokes) {
+    const Robot plotter = *builtin_robot("plotter");
+    Options options;
+    options.connect.style = connect::Style::straight;
+    const auto answer = ordered(three_lines(), plotter, options);
+    ASSERT_TRUE(answer);
+    EXPECT_NEAR(answer->straight, 6, 1e-9);  // up one side, three metres twice
+    EXPECT_EQ(answer->direct, 0);
+}
+
+TEST(Order, DubinsBoundsWhatIsDrivenFromBelow) {
+    const Robot robot = *builtin_robot("beachbot");
+    const auto answer = ordered(three_lines(), robot, options_for(robot));
+    ASSERT_TRUE(answer);
+    double driven = 0;
+    for (const Connection& c : answer->connections) driven += length(c.curve);
+    EXPECT_GE(driven, answer->dubins - 1e-9);
+    EXPECT_LT(driven, 1.2 * answer->dubins);
+}
+
+TEST(Order, StrokesThatTouchAreJoinedDirectlyAndStayTheirOwn) {
+    const Robot robot = *builtin_robot("beachbot");
+    const Job job{{line_group(0, {0, 0}, {3, 0}, 1), line_group(1, {3.01, 0}, {6, 0}, 3)}, {}, {}, {}};
+    const auto answer = ordered(job, robot, options_for(robot));
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->direct, 1);
+    EXPECT_TRUE(answer->connections.empty());
+    expect_legs_meet(answer->legs);
+    double drawn[2] = {0, 0}, up = 0;
+    for (const Leg& leg : answer->legs)
+        for (std::size_t i = 1; i < leg.path.size(); ++i) {
+            const double d = distance(rake_at(robot, leg.path[i - 1].pose), rake_at(robot, leg.path[i].pose));
+            if (leg.motion == Motion::draw)
+                drawn[leg.stroke] += d;
+            else
+                up += d;
+        }
+    EXPECT_NEAR(drawn[0] + drawn[1], 5.99, 1e-3);
+    EXPECT_NEAR(std::max(drawn[0], drawn[1]), 3, 1e-3);
+    EXPECT_NEAR(up, 0.01, 1e-3);
+}
+
+TEST(Order, InnerComesBeforeOuterWhenAsked) {
+    const Robot robot = *builtin_robot("beachbot");
+    Job job = three_lines();
+    job.before = {{1, 2}, {2, 0}};
+    const auto answer = ordered(job, robot, options_for(robot));
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->strokes[0].element, 1);
+    EXPECT_EQ(answer->strokes[1].element, 2);
+    EXPECT_EQ(answer->strokes[2].element, 0);
+    job.before.push_back({0, 1});
+    const auto circle = ordered(job, robot, options_for(robot));
+    ASSERT_FALSE(circle);
+    EXPECT_NE(sentence(circle.error()).find("line"), std::string::npos) << sentence(circle.error());
+}
+
+TEST(Order, TiesAreKeptWhateverTheSenses) {
+    const Robot robot = *builtin_robot("beachbot");
+    Job job = three_lines();
+    job.ties = {{0, 0, 1, 1}};  // from the start of line 0 to the end of line 1, or back
+    const auto answer = ordered(job, robot, options_for(robot));
+    ASSERT_TRUE(answer);
+    for (std::size_t i = 0; i + 1 < 3; ++i) {
+        const int a = answer->strokes[i].element, b = answer->strokes[i + 1].element;
+        if (a + b != 1) continue;
+        const bool reversed_a = answer->entries[i].reversed, reversed_b = answer->entries[i + 1].reversed;
+        EXPECT_TRUE(a == 0 ? reversed_a && reversed_b : !reversed_a && !reversed_b);
+        return;
+    }
+    ADD_FAILURE() << "lines 0 and 1 are not next to each other";
+}
+
+}  // namespace
+}  // namespace strandline::order

@@ -1,0 +1,99 @@
+#include "plan/pipeline/pipeline.hpp"
+
+#include <gtest/gtest.h>
+
+#include "check/mutations.hpp"
+#include "result/check/check.hpp"
+
+namespace strandline {
+namespace {
+
+const char* const nested = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
+  <circle id="outer" cx="50" cy="50" r="45" fill="none" stroke="black" stroke-width="3"/>
+  <rect id="inner" x="35" y="35" width="30" height="30" fill="black"/>
+  <path id="left" d="M20 40 L20 60" stroke="black" fill="none"/>
+  <path id="right" d="M80 40 L80 60" stroke="black" fill="none"/>
+  <path id="start" d="M50 99 L51 99" stroke="#00ff00"/>
+</svg>)";
+
+Outcome<Plan> planned(const std::string& robot, const Options& options = {},
+                      const std::vector<Edit>& edits = {}) {
+    return make_plan({nested, "nested.svg"}, *builtin_robot(robot), options, edits);
+}
+
+std::vector<std::string> drawn_order(const Plan& plan) {
+    std::vector<std::string> ids;
+    for (const Stroke& stroke : plan.strokes) {
+        const std::string& id = plan.drawing.elements[static_cast<std::size_t>(stroke.element)].id;
+        if (ids.empty() || ids.back() != id) ids.push_back(id);
+    }
+    return ids;
+}
+
+TEST(Pipeline, WhatLiesInsideIsDrawnBeforeTheOutline) {
+    const auto plan = planned("beachbot");
+    ASSERT_TRUE(plan) << sentence(plan.error());
+    EXPECT_EQ(drawn_order(*plan).back(), "outer");
+    EXPECT_EQ(plan->drawing.elements.size(), 4u);
+    EXPECT_TRUE(plan->drawing.start);
+}
+
+TEST(Pipeline, APlanOfRealShapesIsSound) {
+    for (const char* robot : {"beachbot", "turf", "plotter"}) {
+        const auto plan = planned(robot);
+        ASSERT_TRUE(plan) << robot << ": " << sentence(plan.error());
+        const check::Report report = check::prove(*plan);
+        for (const check::Fault& fault : report.faults)
+            ADD_FAILURE() << robot << ": " << check::name_of(fault.law) << " " << fault.what;
+    }
+}
+
+TEST(Pipeline, EveryMutationOfARealPlanIsNamed) {
+    const auto plan = planned("beachbot");
+    ASSERT_TRUE(plan);
+    const auto count = [](const Plan& of, check::Law law) {
+        const auto faults = check::prove(of).faults;
+        return std::count_if(faults.begin(), faults.end(),
+                             [&](const check::Fault& f) { return f.law == law; });
+    };
+    for (const auto& mutation : mutations::twelve()) {
+        const Plan mutant = mutation.apply(*plan);
+        ASSERT_FALSE(mutant == *plan) << mutation.name << " changed nothing";
+        if (mutation.listed) continue;  // a crossing needs two neighbouring lines: tests/check has the plan for it
+        EXPECT_GT(count(mutant, mutation.law), count(*plan, mutation.law)) << mutation.name;
+    }
+}
+
+TEST(Pipeline, EditsAreKeptAndIdleOnesListed) {
+    const std::vector<Edit> edits{LinkEdit{{"left", 1}, {"right", 0}}, DirectionEdit{"outer", "cw"},
+                                  EntryEdit{{"gone", 0}}};
+    const auto plan = planned("beachbot", {}, edits);
+    ASSERT_TRUE(plan) << sentence(plan.error());
+    EXPECT_EQ(plan->edits, edits);
+    ASSERT_EQ(plan->idle_edits.size(), 1u);
+    EXPECT_NE(plan->idle_edits[0].find("gone"), std::string::npos);
+    const auto order = drawn_order(*plan);
+    const auto left = std::find(order.begin(), order.end(), "left"),
+               right = std::find(order.begin(), order.end(), "right");
+    EXPECT_EQ(std::abs(left - right), 1);
+}
+
+TEST(Pipeline, ContradictoryEditsAreRefusedByName) {
+    const auto plan = planned("beachbot", {},
+                              {LinkEdit{{"outer", 0}, {"inner", 0}}, LinkEdit{{"outer", 0}, {"left", 0}},
+                               LinkEdit{{"outer", 0}, {"right", 0}}});
+    ASSERT_FALSE(plan);
+    EXPECT_NE(sentence(plan.error()).find("outer"), std::string::npos) << sentence(plan.error());
+}
+
+TEST(Pipeline, AStoppedUserStillGetsAWholePlan) {
+    Progress impatient;
+    impatient.stopped = [] { return true; };
+    const auto plan = make_plan({nested, "nested.svg"}, *builtin_robot("beachbot"), {}, {}, impatient);
+    ASSERT_TRUE(plan) << sentence(plan.error());
+    EXPECT_EQ(plan->drawing.elements.size(), 4u);
+    EXPECT_TRUE(check::prove(*plan).sound());
+}
+
+}  // namespace
+}  // namespace strandline
