@@ -17,33 +17,41 @@
 namespace strandline::cli {
 namespace {
 
-/// Settings file first, the command line over it.
-Outcome<Wishes> gathered(const PlanArguments& a) {
+/// Settings file first, the command line over it, both over `defaults`.
+Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
     Wishes wishes;
-    if (!a.config.empty())
-        if (auto done = read_settings_file(wishes, a.config); !done) return tl::unexpected(done.error());
-    if (!a.robot.empty()) wishes.robot = a.robot;
+    wishes.options = defaults;
     Outcome<void> done;
+    if (!a.config.empty()) done = read_settings_file(wishes, a.config);
+    if (!a.robot.empty()) wishes.robot = a.robot;
     if (done && !a.canvas.empty()) done = set_canvas(wishes.options, a.canvas);
     if (done && !a.margin.empty()) done = set(wishes.options, "canvas.margin", a.margin);
     if (done && !a.place.empty()) done = set_place(wishes.options, a.place);
     if (done && !a.start.empty()) done = set_start(wishes.options, a.start);
     for (const std::string& text : a.settings)
         if (done) done = set_from_text(wishes, text);
-    if (!done) return tl::unexpected(done.error());
-    const auto add_edits = [&](const std::vector<std::string>& texts, auto parse) -> Outcome<void> {
+    const auto add_edits = [&](const std::vector<std::string>& texts, auto parse) {
         for (const std::string& text : texts) {
+            if (!done) return;
             const auto edit = parse(text);
-            if (!edit) return tl::unexpected(edit.error());
-            wishes.edits.push_back(*edit);
+            if (edit)
+                wishes.edits.push_back(*edit);
+            else
+                done = tl::unexpected(edit.error());
         }
-        return {};
     };
-    if (done) done = add_edits(a.links, parse_link);
-    if (done) done = add_edits(a.entries, parse_entry);
-    if (done) done = add_edits(a.directions, parse_direction);
+    add_edits(a.links, parse_link);
+    add_edits(a.entries, parse_entry);
+    add_edits(a.directions, parse_direction);
     if (!done) return tl::unexpected(done.error());
     return wishes;
+}
+
+/// Twice: the canvas that is wished for decides the defaults of all that is not.
+Outcome<Wishes> gathered(const PlanArguments& a) {
+    const auto first = gathered(a, Options{});
+    if (!first) return first;
+    return gathered(a, defaults_for({first->options.canvas.width, first->options.canvas.height}));
 }
 
 Outcome<Robot> robot_of(const Wishes& wishes) {

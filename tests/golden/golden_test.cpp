@@ -53,11 +53,7 @@ std::string digest(const Plan& plan) {
 
 Outcome<Plan> planned(const fs::path& drawing, const std::string& robot) {
     Options options;
-    if (robot == "plotter") {
-        options.canvas = {0.297, 0.21, 0.01, -1};
-        options.drawing = {0.0001, 0.0002, 0.001, 0.9};
-        options.fill.min_area = 0;
-    }
+    if (robot == "plotter") options = defaults_for({0.297, 0.21});
     const std::string text = read(drawing);
     return make_plan({text, drawing.filename().string()}, *builtin_robot(robot), options);
 }

@@ -40,7 +40,7 @@ struct Options {
     } drawing;
     struct FillArea {                  // "fill.*"
         std::string style = "spiral";  // spiral | zigzag
-        double spacing = 0.40, direction = 0;
+        double spacing = 0, direction = 0;
         bool best_direction = true;
         std::string partition = "monotone";  // none | monotone | optimal-convex
         double part_inset = 0, min_area = 0.01;

@@ -157,7 +157,7 @@ std::vector<Setting> make_table() {
          "--fill_method",
          [](Options& o) -> Field { return &o.fill.style; }},
         {"fill.spacing",
-         "between neighbouring passes; 0: as wide as the rake",
+         "between neighbouring passes; 0: a twentieth less than the rake is wide",
          Kind::length,
          0,
          far,

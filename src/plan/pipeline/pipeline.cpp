@@ -107,6 +107,23 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
 
 }  // namespace
 
+Options defaults_for(const Canvas& canvas) {
+    Options options;
+    const DrawingOptions scaled = options_for(canvas);
+    const double share = scaled.margin / options.canvas.margin;
+    options.canvas.width = canvas.width;
+    options.canvas.height = canvas.height;
+    options.canvas.margin = scaled.margin;
+    options.drawing.tolerance = scaled.tolerance;
+    options.drawing.join_tolerance = scaled.join_tolerance;
+    options.drawing.min_length = scaled.min_length;
+    options.fill.min_area *= share * share;
+    options.connect.min_length *= share;
+    // What the settings table allows at the least.
+    options.trajectory.step = std::max(options.trajectory.step * share, 1e-4);
+    return options;
+}
+
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits, const Progress& progress) {
     // Only the search may be cut short: a drawing read by half would be planned as if it were whole.

@@ -23,4 +23,9 @@ struct Source {
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits = {}, const Progress& progress = {});
 
+/// The defaults of Options belong to a beach of 14 m. Here every length that follows the drawing's size
+/// (margin, tolerances, least lengths and areas, sample spacing) is scaled down, never up, by the canvas's
+/// shorter side, so that a sheet of paper is served too.
+Options defaults_for(const Canvas& canvas);
+
 }  // namespace strandline
