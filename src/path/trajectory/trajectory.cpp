@@ -22,26 +22,28 @@ struct Part {
     std::vector<RobotState> states;  ///< evenly spaced; s from 0
 };
 
-/// Divides steps in which the robot turns, or changes its turning, by so much that curvature linear in
-/// between would not explain the headings any more.
-std::vector<RobotState> refined(const Leg& leg, double from, const std::vector<RobotState>& even) {
-    // Radians turned in one step, and radians that a jump of curvature within it would turn.
-    constexpr double most_turn = 0.1, most_change = 0.02;
-    constexpr double most_parts = 16;
-    std::vector<RobotState> fine{even.front()};
-    for (std::size_t i = 1; i < even.size(); ++i) {
-        const RobotState &a = even[i - 1], &b = even[i];
-        const double ds = b.s - a.s, turn = ds * std::max(std::abs(a.curvature), std::abs(b.curvature)),
-                     change = ds * std::abs(b.curvature - a.curvature);
-        const double parts =
-            std::clamp(std::ceil(std::max(turn / most_turn, change / most_change)), 1.0, most_parts);
-        for (double k = 1; k < parts; ++k) {
-            RobotState state = state_at(leg.path, from + a.s + ds * k / parts);
-            state.s -= from;
-            fine.push_back(state);
-        }
-        fine.push_back(b);
+/// Halves the step from the last of `fine` to `to` until curvature linear in between explains its headings.
+void add_refined(const Leg& leg, double from, const RobotState& to, int halvings,
+                 std::vector<RobotState>& fine) {
+    // Radians turned in one step, and radians that may stay unexplained.
+    constexpr double most_turn = 0.1, most_unexplained = 0.003;
+    const RobotState& last = fine.back();
+    const double ds = to.s - last.s, turn = wrap_angle(to.pose.heading - last.pose.heading),
+                 explained = ds * (last.curvature + to.curvature) / 2;
+    if (halvings > 0 && (std::abs(turn) > most_turn || std::abs(turn - explained) > most_unexplained)) {
+        RobotState middle = state_at(leg.path, from + last.s + ds / 2);
+        middle.s -= from;
+        add_refined(leg, from, middle, halvings - 1, fine);
+        add_refined(leg, from, to, halvings - 1, fine);
+    } else {
+        fine.push_back(to);
     }
+}
+
+std::vector<RobotState> refined(const Leg& leg, double from, const std::vector<RobotState>& even) {
+    constexpr int most_halvings = 6;
+    std::vector<RobotState> fine{even.front()};
+    for (std::size_t i = 1; i < even.size(); ++i) add_refined(leg, from, even[i], most_halvings, fine);
     return fine;
 }
 
