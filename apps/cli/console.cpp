@@ -36,26 +36,79 @@ Outcome<std::string> read_input(const std::string& path) {
     return bytes;
 }
 
-Outcome<void> write_output(const std::string& path, std::string_view bytes) {
-    if (path == "-") {
-        std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
-        if (!std::cout) return fail("stdout", "cannot be written");
-        return {};
-    }
-    const std::string temporary = path + ".part" + std::to_string(getpid());
-    const auto give_up = [&](const char* why) {
-        const std::string reason = std::string(why) + ": " + std::strerror(errno);
-        std::remove(temporary.c_str());
-        return fail(path, reason, "check the folder, its rights and the space left");
-    };
+namespace {
+
+/// A file written whole under a temporary name, waiting to be put in its place.
+struct Staged {
+    std::string temporary, place;
+};
+
+tl::unexpected<Error> failure(const std::string& path, const std::string& what) {
+    return fail(path, what + ": " + std::strerror(errno), "check the folder, its rights and the space left");
+}
+
+Outcome<void> write_stream(const std::string& to, const std::string& named, std::string_view bytes) {
     errno = 0;
-    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    if (!file) return give_up("cannot be written");
+    std::ofstream file(to, std::ios::binary | std::ios::trunc);
+    if (!file) return failure(named, "cannot be written");
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     file.close();
-    if (!file) return give_up("could not be written whole");
-    if (std::rename(temporary.c_str(), path.c_str()) != 0) return give_up("cannot be put in place");
+    if (!file) return failure(named, "could not be written whole");
     return {};
+}
+
+/// Nothing to rename where the target is a device or a pipe: `temporary` is then empty.
+Outcome<Staged> staged(const std::string& path, std::string_view bytes) {
+    namespace fs = std::filesystem;
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    if (fs::is_directory(status)) return fail(path, "is a folder", "name a file");
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        if (const auto done = write_stream(path, path, bytes); !done) return tl::unexpected(done.error());
+        return Staged{};
+    }
+    const std::string place = fs::exists(status) ? fs::canonical(path, code).string() : path;
+    const Staged file{place + ".part" + std::to_string(getpid()), place};
+    if (const auto done = write_stream(file.temporary, path, bytes); !done) {
+        std::remove(file.temporary.c_str());
+        return tl::unexpected(done.error());
+    }
+    if (fs::exists(status)) fs::permissions(file.temporary, status.permissions(), code);
+    return file;
+}
+
+}  // namespace
+
+Outcome<void> write_outputs(const std::vector<std::pair<std::string, std::string_view>>& files) {
+    // A file size limit shall be an error of writing, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::vector<Staged> ready;
+    const auto give_up = [&](const Error& error) -> Outcome<void> {
+        for (const Staged& file : ready)
+            if (!file.temporary.empty()) std::remove(file.temporary.c_str());
+        return tl::unexpected(error);
+    };
+    for (const auto& [path, bytes] : files) {
+        auto file = staged(path, bytes);
+        if (!file) return give_up(file.error());
+        ready.push_back(*file);
+    }
+    for (const Staged& file : ready)
+        if (!file.temporary.empty() && std::rename(file.temporary.c_str(), file.place.c_str()) != 0)
+            return give_up(failure(file.place, "cannot be put in place").value());
+    return {};
+}
+
+Outcome<void> write_output(const std::string& path, std::string_view bytes) {
+    if (path != "-") return write_outputs({{path, bytes}});
+    std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
+    if (!std::cout) return fail("stdout", "cannot be written");
+    return {};
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+    std::error_code code;
+    return std::filesystem::equivalent(a, b, code);
 }
 
 void complain(const Error& error) { fmt::print(stderr, "strandline: {}\n", sentence(error)); }

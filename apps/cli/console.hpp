@@ -2,6 +2,8 @@
 // Files, messages and progress for every command: the only place of the program that reads or writes them.
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/outcome/outcome.hpp"
 
@@ -9,9 +11,14 @@ namespace strandline::cli {
 
 /// The whole of a file; "-" is stdin.
 Outcome<std::string> read_input(const std::string& path);
-/// Written under a temporary name beside it, then renamed, so that nothing half-written is left; "-" is
-/// stdout.
+/// Written under a temporary name beside it, then renamed, so that nothing half-written is left; links are
+/// followed and rights kept.
+/// "-" is stdout; devices and pipes are written to as they are.
 Outcome<void> write_output(const std::string& path, std::string_view bytes);
+/// All of them or none: every file is written whole before the first is put in its place.
+Outcome<void> write_outputs(const std::vector<std::pair<std::string, std::string_view>>& files);
+/// Whether two names mean one file that exists.
+bool same_file(const std::string& a, const std::string& b);
 /// "strandline: place: reason; remedy" on stderr.
 void complain(const Error& error);
 void warn(const Warnings& warnings, bool quiet);

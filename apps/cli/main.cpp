@@ -1,7 +1,10 @@
 // The command line: what can be written, not what is done. Every command fills its arguments and returns its
 // exit code.
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <functional>
+#include <iostream>
+#include <system_error>
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -29,7 +32,8 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->add_option("--entry", a.entries, "A:V: enter element A at its node V (-1: its last)");
     plan->add_option("--direction", a.directions, "A=forward|backward for lines, A=ccw|cw for closed ones");
     plan->add_flag("--strict", a.strict,
-                   "exit 3 when check finds a fault, or anything was done another way than asked");
+                   "exit 3 when check finds a fault, finished ground is driven over, or anything was done "
+                   "another way than asked");
     plan->add_flag("--open", a.open, "write a picture beside the plan and open it");
     plan->footer(R"(Examples:
   strandline plan lion.svg -o lion.json
@@ -69,7 +73,7 @@ void add_results(CLI::App& app, ExportArguments& e, CheckArguments& c, RenderArg
     render->add_option("input", r.input, "plan file, or -")->required();
     render->add_option("-o,--output", r.output, "picture.svg or picture.png")->required();
     render->add_option("--pixels", r.pixels, "longer side of a PNG")
-        ->check(CLI::Range(16, 20000))
+        ->check(CLI::Range(64, 16000))
         ->capture_default_str();
     render->footer("Example:\n  strandline render lion.json -o lion.png --pixels 2000");
     render->callback([&] { chosen = [&] { return cli::render(r, common); }; });
@@ -84,10 +88,12 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     CLI::App* tour =
         app.add_subcommand("tour", "one stage alone: order and entries of a tour instance (JSON)");
     in_out(tour, t.input, t.output, "instance (docs/stage-formats.md), or -");
-    tour->add_option("--moves", t.moves, "budget of the search; 0: from the size")->capture_default_str();
+    tour->add_option("--moves", t.moves, "budget of the search; 0: from the size")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     tour->add_option("--time-limit", t.time_limit,
                      "stop after this CPU time (10s); the answer may differ from run to run");
-    tour->add_option("--seed", t.seed, "of the search")->capture_default_str();
+    tour->add_option("--seed", t.seed, "of the search")->check(CLI::NonNegativeNumber)->capture_default_str();
     tour->footer("Example:\n  strandline tour instance.json -o solution.json --time-limit 5s");
     tour->callback([&] { chosen = [&] { return cli::tour(t, common); }; });
 
@@ -113,6 +119,26 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     convert->add_option("--robot", v.robot, "built-in name or profile file")->capture_default_str();
     convert->footer("Example:\n  strandline convert rake.csv --robot beachbot -o robot.csv");
     convert->callback([&] { chosen = [&] { return cli::convert(v, common); }; });
+}
+
+/// What is wrong with the call, and where its help is.
+Error misread(const CLI::App& app, int argc, char** argv, const CLI::ParseError& error) {
+    const std::string first = argc > 1 ? argv[1] : "";
+    const auto commands =
+        app.get_subcommands([&](const CLI::App* command) { return command->get_name() == first; });
+    if (!first.empty() && first[0] != '-' && commands.empty())
+        return {first, "there is no such command", "strandline --help lists them"};
+    if (first.empty()) return {"", "a command is missing", "strandline --help lists them"};
+    return {first, error.what(),
+            commands.empty() ? "see strandline --help" : "see strandline " + first + " --help"};
+}
+
+/// What was printed must have arrived.
+int finished(int code) {
+    std::cout.flush();
+    if (std::fflush(stdout) == 0 && std::cout) return code;
+    complain({"stdout", "cannot be written whole", "check the space left"});
+    return bad_input;
 }
 
 }  // namespace
@@ -154,12 +180,16 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? done : bad_call;
+        if (error.get_exit_code() == 0) return finished(app.exit(error));
+        complain(misread(app, argc, argv, error));
+        return bad_call;
     }
     try {
-        return chosen();
+        return finished(chosen());
     } catch (const std::bad_alloc&) {
         complain({"", "not enough memory for this input", "make it simpler"});
-        return bad_input;
+    } catch (const std::system_error& error) {  // printing to a full disk
+        complain({"stdout", std::string("cannot be written: ") + error.what(), "check the space left"});
     }
+    return bad_input;
 }

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 
@@ -70,8 +71,9 @@ Progress limited(Progress progress, double seconds) {
     return progress;
 }
 
-/// Opens a picture with the desktop's own viewer, without waiting for it to close.
-void open_picture(const std::string& path) {
+/// Opens a picture with the desktop's own viewer, without waiting for it to close. False: there is none.
+bool open_picture(const std::string& path) {
+    if (std::system("command -v xdg-open >/dev/null 2>&1") != 0) return false;
     const pid_t child = fork();
     if (child == 0) {
         if (fork() == 0) {
@@ -81,15 +83,33 @@ void open_picture(const std::string& path) {
         _exit(0);
     }
     if (child > 0) waitpid(child, nullptr, 0);
+    return child > 0;
+}
+
+/// Where --open puts its picture: beside the plan.
+std::string picture_path(const PlanArguments& arguments) {
+    const std::filesystem::path base = arguments.output == "-" ? "strandline-plan.json" : arguments.output;
+    return std::filesystem::path(base).replace_extension(".svg").string();
+}
+
+/// No output may take the place of the drawing, or of another output.
+Outcome<void> outputs_apart(const PlanArguments& arguments) {
+    if (same_file(arguments.input, arguments.output))
+        return fail("-o " + arguments.output, "is the drawing itself", "choose another name for the plan");
+    if (!arguments.open) return {};
+    const std::string picture = picture_path(arguments);
+    if (same_file(arguments.input, picture))
+        return fail("--open", "the picture " + picture + " would replace the drawing", "choose another -o");
+    if (picture == arguments.output)
+        return fail("--open", "the picture would replace the plan", "name the plan NAME.json");
+    return {};
 }
 
 Outcome<void> show(const Plan& plan, const PlanArguments& arguments) {
-    const std::filesystem::path base = arguments.output == "-" ? "strandline-plan.svg" : arguments.output;
-    const std::string picture = std::filesystem::path(base).replace_extension(".svg").string();
-    if (picture == arguments.input)
-        return fail("--open", "the picture would replace the drawing", "choose another -o");
+    const std::string picture = picture_path(arguments);
     const auto written = write_output(picture, formats::write_svg(plan));
-    if (written) open_picture(picture);
+    if (written && !open_picture(picture))
+        fmt::print(stderr, "the picture is {}; there is no desktop here to open it\n", picture);
     return written;
 }
 
@@ -100,6 +120,8 @@ int plan(const PlanArguments& arguments, const Common& common) {
     if (!wishes) return complain(wishes.error()), bad_call;
     const auto robot = robot_of(*wishes);
     if (!robot) return complain(robot.error()), bad_call;
+    if (const auto fits = valid(wishes->options, *robot); !fits) return complain(fits.error()), bad_call;
+    if (const auto apart = outputs_apart(arguments); !apart) return complain(apart.error()), bad_call;
     const auto svg = read_input(arguments.input);
     if (!svg) return complain(svg.error()), bad_input;
 
@@ -126,6 +148,10 @@ int plan(const PlanArguments& arguments, const Common& common) {
     else if (!common.quiet)
         fmt::print(stderr, "{}", summary(*made, report));
     if (!common.quiet) fmt::print(stderr, "{}", findings(report, common.verbose));
+    if (arguments.strict && !common.quiet && !report.blemishes.empty())
+        fmt::print(stderr,
+                   "strict: finished ground is driven over at {} places (strandline check -v lists them)\n",
+                   report.blemishes.size());
     if (arguments.open)
         if (const auto shown = show(*made, arguments); !shown) return complain(shown.error()), bad_input;
     const bool short_of = !report.sound() || made->figures.fallbacks > 0 || !made->undrivable.empty() ||

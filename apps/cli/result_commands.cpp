@@ -51,42 +51,9 @@ int write_pair(const Plan& plan, const std::string& output) {
         return bad_call;
     }
     const std::string base = output.ends_with(".txt") ? output.substr(0, output.size() - 4) : output;
-    for (const auto& [path, text] :
-         {std::pair{base + "_robot.txt", &pair.robot}, {base + "_rake.txt", &pair.rake}})
-        if (const auto written = write_output(path, *text); !written)
-            return complain(written.error()), bad_input;
+    const auto written = write_outputs({{base + "_robot.txt", pair.robot}, {base + "_rake.txt", pair.rake}});
+    if (!written) return complain(written.error()), bad_input;
     return done;
-}
-
-std::string report_json(const check::Report& report) {
-    // Flat and small: numbers and plain sentences only, so that no JSON library is needed here.
-    std::string faults, blemishes;
-    const auto quoted = [](const std::string& text) {
-        std::string safe;
-        for (char c : text) {
-            if (c == '"' || c == '\\') safe += '\\';
-            safe += c;
-        }
-        return safe;
-    };
-    for (const check::Fault& f : report.faults)
-        faults += fmt::format(
-            "{}\n  "
-            "{{\"law\":\"{}\",\"what\":\"{}\",\"x\":{},\"y\":{},\"sample\":{},\"stroke\":{},\"element\":{}}}",
-            faults.empty() ? "" : ",", check::name_of(f.law), quoted(f.what), f.at.x, f.at.y, f.sample,
-            f.stroke, f.element);
-    for (const check::Blemish& b : report.blemishes)
-        blemishes +=
-            fmt::format("{}\n  {{\"x\":{},\"y\":{},\"area\":{},\"crossings\":{},\"element\":{},\"t\":{}}}",
-                        blemishes.empty() ? "" : ",", b.at.x, b.at.y, b.area, b.crossings, b.element, b.t);
-    return fmt::format(
-        "{{\"sound\":{},\"drawn\":{},\"up_driven\":{},\"time\":{},\"coverage\":{},\"overdraw\":{},\"spill\":{"
-        "},\"crossings\":{},"
-        "\"driven_over\":{},\"max_curvature_up\":{},\"max_sharpness_up\":{},\"worst_offset\":{},\n\"faults\":"
-        "[{}],\n\"blemishes\":[{}]}}\n",
-        report.sound(), report.drawn, report.up_driven, report.time, report.coverage, report.overdraw,
-        report.spill, report.crossings, report.driven_over, report.max_curvature_up, report.max_sharpness_up,
-        report.worst_offset, faults, blemishes);
 }
 
 }  // namespace
@@ -118,7 +85,7 @@ int check(const CheckArguments& arguments, const Common& common) {
     if (!plan) return complain(plan.error()), bad_input;
     const check::Report report = check::prove(*plan, {}, console_progress(common.quiet));
     if (common.json) {
-        fmt::print("{}", report_json(report));
+        fmt::print("{}", formats::write_report(report));
     } else if (!common.quiet) {
         fmt::print("{}", summary(*plan, report));
         fmt::print("{}", findings(report, common.verbose));
@@ -158,11 +125,26 @@ int render(const RenderArguments& arguments, const Common&) {
 }
 
 int list_settings(const Common&) {
+    constexpr double degrees = 180 / pi;
     const Options defaults;
     for (const Setting& s : settings()) {
-        std::string values = name_of(s.kind);
-        if (s.kind == Setting::Kind::choice) values = fmt::format("{}", fmt::join(s.choices, " | "));
-        fmt::print("{:<26} {:<12} {}\n{:<40}{}\n", s.key, get(defaults, s.key), s.meaning, "", values);
+        const bool angle = s.kind == Setting::Kind::angle;
+        const char* unit = s.kind == Setting::Kind::length     ? " m"
+                           : angle                             ? " deg"
+                           : s.kind == Setting::Kind::duration ? " s"
+                                                               : "";
+        std::string value = get(defaults, s.key), range;
+        if (s.kind == Setting::Kind::choice) {
+            range = fmt::format("{}", fmt::join(s.choices, " | "));
+        } else if (s.kind == Setting::Kind::flag) {
+            range = "on | off";
+        } else {
+            const double factor = angle ? degrees : 1;
+            range = fmt::format("{}, {:g} to {:g}{}", name_of(s.kind), factor * s.low, factor * s.high, unit);
+            if (angle) value = fmt::format("{:g}", degrees * *parse_angle(value, s.key));
+            value += unit;
+        }
+        fmt::print("{:<24} {:<10} {}\n{:<36}{}\n", s.key, value, s.meaning, "", range);
     }
     return done;
 }

@@ -138,8 +138,8 @@ TEST(Placement, WrongOptionsAreRefusedByName) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(place({.canvas = {0, 14}}), "canvas");
     EXPECT_EQ(place({.canvas = {nan, 14}}), "canvas");
-    EXPECT_EQ(place({.margin = 7}), "drawing.margin");
-    EXPECT_EQ(place({.margin = -1}), "drawing.margin");
+    EXPECT_EQ(place({.margin = 7}), "canvas.margin");
+    EXPECT_EQ(place({.margin = -1}), "canvas.margin");
     EXPECT_EQ(place({.margin = 7, .place = Place::actual}), "drawn");  // the margin belongs to fit
     EXPECT_EQ(place({.place = Place::width, .place_width = 0}), "place.width");
     EXPECT_EQ(place({.place = Place::scale, .scale_denominator = nan}), "place.scale");

@@ -32,7 +32,7 @@ tl::unexpected<Error> nothing_to_draw(const DrawingCounts& counts) {
         fmt::format(
             "nothing to draw: of {} shapes {} paints are bare sand, {} lines too short, {} areas too small",
             counts.shapes, counts.bare, counts.too_short, counts.too_small),
-        "give the shapes a dark fill or stroke, or lower drawing.min_length and drawing.min_area");
+        "give the shapes a dark fill or stroke, or lower drawing.min_length and fill.min_area");
 }
 
 }  // namespace

@@ -74,10 +74,10 @@ Outcome<void> checked(const DrawingOptions& options) {
         return fail("canvas", fmt::format("{:g} x {:g} m is no area", canvas.width, canvas.height),
                     "give both sides above zero");
     if (!(options.margin >= 0) || !std::isfinite(options.margin))
-        return fail("drawing.margin", fmt::format("{:g} is not a length", options.margin),
+        return fail("canvas.margin", fmt::format("{:g} is not a length", options.margin),
                     "give 0 or more metres");
     if (options.place == Place::fit && 2 * options.margin >= std::min(canvas.width, canvas.height))
-        return fail("drawing.margin",
+        return fail("canvas.margin",
                     fmt::format("{:g} m on each side leaves nothing of a canvas of {:g} x {:g} m",
                                 options.margin, canvas.width, canvas.height),
                     fmt::format("make it less than {:g} m", std::min(canvas.width, canvas.height) / 2));

@@ -64,7 +64,12 @@ std::vector<std::string> apply_edits(order::Job& job, const std::vector<Edit>& e
                 return;
             }
             order::Group& group = job.groups[static_cast<std::size_t>(*at)];
-            const bool closed = group.work.strokes.size() == 1 && group.work.strokes.front().closed;
+            if (group.work.strokes.front().fill) {
+                idle.push_back(fmt::format(
+                    "direction: \"{}\" is an area; its fill has a direction of its own", edit.element));
+                return;
+            }
+            const bool closed = group.work.strokes.front().closed;
             if (closed && (edit.direction == "ccw" || edit.direction == "cw"))
                 group.sense = edit.direction == "ccw" ? tour::Sense::ccw : tour::Sense::cw;
             else if (!closed && (edit.direction == "forward" || edit.direction == "backward"))

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/units/units.hpp"
 #include "path/trajectory/trajectory.hpp"
 #include "plan/pipeline/edits.hpp"
 #include "plan/pipeline/strokes.hpp"
@@ -83,6 +84,22 @@ void measure(Figures& figures, const Plan& plan) {
     figures.time = plan.samples.empty() ? 0 : plan.samples.back().t;
 }
 
+/// What the drawing room dropped by its limits: counted there, said here.
+Warnings dropped(const Drawing& drawing, const Options& options) {
+    Warnings warnings;
+    const auto say = [&](int count, const char* what, const char* key, double limit, const char* unit) {
+        if (count > 0)
+            warnings.push_back({key, std::to_string(count) + " " + what + " under " + number_text(limit) +
+                                         unit + " left out"});
+    };
+    say(drawing.counts.too_short, "lines", "drawing.min_length", options.drawing.min_length, " m");
+    say(drawing.counts.too_small, "areas", "fill.min_area", options.fill.min_area, " m^2");
+    if (options.tour.has_start && !contains(Box{{0, 0}, {drawing.canvas.width, drawing.canvas.height}},
+                                            {options.tour.start_x, options.tour.start_y}))
+        warnings.push_back({"tour.start_x, tour.start_y", "the start lies outside the canvas"});
+    return warnings;
+}
+
 void take_account(Plan& plan, const order::Ordered& ordered) {
     Figures& f = plan.figures;
     f.elements = static_cast<int>(plan.drawing.elements.size());
@@ -124,15 +141,34 @@ Options defaults_for(const Canvas& canvas) {
     return options;
 }
 
+Outcome<void> valid(const Options& options, const Robot& robot) {
+    if (options.connect.style == "straight" && robot.min_radius > 0 && !robot.can_pivot)
+        return fail(
+            "connect.style",
+            "straight connections need a robot that turns on the spot, and " + robot.name + " does not",
+            "use bounded, or set robot.can_pivot=on where the robot can");
+    if (options.corner.above == "pivot" && robot.min_radius > 0 && !robot.can_pivot)
+        return fail("corner.above",
+                    "pivot needs a robot that turns on the spot, and " + robot.name + " does not",
+                    "use loop or round, or set robot.can_pivot=on where the robot can");
+    return {};
+}
+
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits, const Progress& progress) {
+    if (const auto fits = valid(options, robot); !fits) return tl::unexpected(fits.error());
     // Only the search may be cut short: a drawing read by half would be planned as if it were whole.
     Progress patient = progress;
     patient.stopped = [] { return false; };
     const auto document = svg::read(source.svg, {}, patient);
     if (!document) return tl::unexpected(document.error());
     auto drawing = make_drawing(*document, robot, drawing_options(options), patient);
-    if (!drawing) return tl::unexpected(drawing.error());
+    if (!drawing) {
+        Error error = drawing.error();
+        // What was left out is often why nothing is there.
+        if (!document->warnings.empty()) error.reason += " (" + sentence(document->warnings.front()) + ")";
+        return tl::unexpected(error);
+    }
 
     pipeline::Strokes strokes = pipeline::strokes_of(*drawing, robot, options, patient);
     if (strokes.groups.empty())
@@ -160,6 +196,7 @@ Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options&
     take_account(plan, *ordered);
     add(plan.warnings, document->warnings);
     add(plan.warnings, plan.drawing.warnings);
+    add(plan.warnings, dropped(plan.drawing, options));
     add(plan.warnings, strokes.warnings);
     add(plan.warnings, ordered->warnings);
     plan.strokes = std::move(ordered->strokes);

@@ -16,10 +16,13 @@ struct Source {
     std::string title;     ///< its name, for people
 };
 
+/// Whether these options ask of the robot what it can do. Error: the key and what to change.
+Outcome<void> valid(const Options& options, const Robot& robot);
+
 /// plan = f(drawing, options, edits). Deterministic: the same input, options and seed give the same plan bit
 /// for bit, unless options.tour.time_limit or the user stopped the search (figures.reproducible says so).
-/// Error: input at fault (place, reason, remedy); contradictory edits by name. Edits whose place is gone are
-/// kept and listed as idle.
+/// Error: options that are not valid(); input at fault (place, reason, remedy); contradictory edits by name.
+/// Edits whose place is gone are kept and listed as idle.
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits = {}, const Progress& progress = {});
 

@@ -6,6 +6,7 @@
 
 #include "base/outcome/outcome.hpp"
 #include "plan/model/model.hpp"
+#include "result/check/check.hpp"
 
 namespace strandline::formats {
 
@@ -29,5 +30,7 @@ std::string write_svg(const Plan& plan);
 std::string write_csv(const Plan& plan);
 /// Figures as JSON for --json.
 std::string write_figures(const Plan& plan);
+/// What check found, as JSON: figures, faults, blemishes.
+std::string write_report(const check::Report& report);
 
 }  // namespace strandline::formats

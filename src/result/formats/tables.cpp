@@ -85,9 +85,7 @@ std::string write_figures(const Plan& plan) {
     line("samples", static_cast<int>(plan.samples.size()));
     line("undrivable", static_cast<int>(plan.undrivable.size()));
     line("idle_edits", static_cast<int>(plan.idle_edits.size()));
-    Warnings warnings = plan.drawing.warnings;
-    warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
-    line("warnings", warnings);
+    line("warnings", plan.warnings);
     add(text, "\n}\n");
     return fmt::to_string(text);
 }
