@@ -16,7 +16,7 @@ struct Cell {
     static constexpr float never = -1;
     float first_raked = never, last_raked = never, last_rolled = never;
     std::uint16_t passes = 0;      ///< rakings more than `pass_gap` apart
-    std::int16_t element = -1;     ///< element of the last raking
+    std::int32_t element = -1;     ///< element of the last raking
 };
 
 /// A raster with cells of `cell` metres; cell (i, j) covers [i, i+1) x [j, j+1) times `cell`.

@@ -101,7 +101,12 @@ Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& opti
         if (!chains.empty()) {
             const std::vector<Curve>& done = chains.back().back().rake_path;
             answer.straight += distance(end_pose(done.back()).at, next.rake_path.front().start.at);
-            if (nearly_touch(done, next.rake_path, robot, options)) {
+            // Fills round their corners, lines do not: one drive cannot do both.
+            const auto is_fill = [&](const Planned& p) {
+                return answer.strokes[static_cast<std::size_t>(p.stroke)].fill;
+            };
+            if (is_fill(chains.back().back()) == is_fill(next) &&
+                nearly_touch(done, next.rake_path, robot, options)) {
                 ++answer.direct;
                 chains.back().push_back(std::move(next));
                 continue;
@@ -118,9 +123,9 @@ Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& opti
         drive::Drive driven = drive_chain(chains[k], answer.strokes, robot, options.drive);
         if (from) {
             const connect::Connection joint = connect::connection(*from, driven.start, options.connect);
-            answer.dubins += robot.min_radius > 0
-                                 ? dubins_length(from->pose, driven.start.pose, robot.min_radius)
-                                 : distance(from->pose.at, driven.start.pose.at);
+            const bool turns = options.connect.style == connect::Style::straight || robot.min_radius <= 0;
+            answer.dubins += !turns ? dubins_length(from->pose, driven.start.pose, robot.min_radius)
+                                    : distance(from->pose.at, driven.start.pose.at);
             append_pivot(answer.legs, from->pose, joint.turn_before);
             if (!joint.curve.pieces.empty())
                 answer.legs.push_back(

@@ -78,8 +78,8 @@ double uniform(std::mt19937_64& random) {
 
 class Descent {
   public:
-    Descent(Search& search, const Progress& progress)
-        : search_(search), progress_(progress), queue_(search.tour.nodes()) {}
+    Descent(Search& search, const Progress& progress, std::uint64_t most_visits)
+        : search_(search), progress_(progress), most_visits_(most_visits), queue_(search.tour.nodes()) {}
 
     /// Every polygon whose links changed is entered anew; all that was touched is queued. The gain.
     double settle() {
@@ -103,7 +103,7 @@ class Descent {
     /// Until no move gains. keep_log: so that the caller can take it back.
     double run(bool keep_log) {
         double gain = settle();
-        for (int node = queue_.pop(); node >= 0 && !stopped_; node = queue_.pop()) {
+        for (int node = queue_.pop(); node >= 0 && !ended(); node = queue_.pop()) {
             double g = exchange_.evaluate(search_, node);
             if (g > 0) {
                 exchange_.apply(search_);
@@ -115,11 +115,12 @@ class Descent {
             if (!keep_log) search_.tour.forget();
             if (++steps_ % steps_between_polls == 0) stopped_ = progress_.stopped();
         }
-        if (stopped_) queue_.clear();
+        if (ended()) queue_.clear();
         return gain;
     }
 
     bool stopped() const { return stopped_; }
+    bool ended() const { return stopped_ || search_.tour.visits_read > most_visits_; }
     void touch_all() {
         for (int place = 0; place < search_.tour.nodes(); ++place)
             search_.touched.push_back(search_.tour.node_at(place));
@@ -128,6 +129,7 @@ class Descent {
   private:
     Search& search_;
     const Progress& progress_;
+    const std::uint64_t most_visits_;
     Queue queue_;
     Exchange exchange_;
     Reinsert reinsert_;
@@ -145,11 +147,11 @@ std::uint64_t default_kicks(int pieces) {
 }
 
 Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks,
-                 const Progress& progress) {
+                 const Progress& progress, std::uint64_t most_visits) {
     const Candidates candidates = find_candidates(model, candidate_count);
     Search search{Sequence(model, first), candidates, std::mt19937_64(seed), {}, {}};
     Sequence& tour = search.tour;
-    Descent descent(search, progress);
+    Descent descent(search, progress, most_visits);
     choose_all_vertices(search);
     find_longest(search);
     descent.touch_all();
@@ -170,7 +172,7 @@ Searched improve(const Model& model, const std::vector<Visit>& first, std::uint6
     const bool can_kick = tour.nodes() >= 8;
     const auto renewal = static_cast<std::uint64_t>(tour.nodes());
     const std::uint64_t reports = std::max<std::uint64_t>(1, std::min<std::uint64_t>(kicks / 100, 10'000));
-    for (; can_kick && result.moves < kicks && !descent.stopped(); ++result.moves) {
+    for (; can_kick && result.moves < kicks && !descent.ended(); ++result.moves) {
         if (result.moves % reports == 0)
             progress.report(fmt::format("rake up {:.6g}", best),
                             static_cast<double>(result.moves) / static_cast<double>(kicks));
@@ -204,7 +206,9 @@ Searched improve(const Model& model, const std::vector<Visit>& first, std::uint6
             const auto here = tour.order();
             tour.back(0);
             kept = tour.order();
+            const std::uint64_t read = tour.visits_read;
             tour = Sequence(model, here);
+            tour.visits_read = read;
             away = true;
         }
         length -= gain;

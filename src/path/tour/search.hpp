@@ -1,6 +1,7 @@
 #pragma once
 // The local search: descent over a work queue, then kicks with an undo log.
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "path/tour/model.hpp"
@@ -13,10 +14,15 @@ struct Searched {
     bool stopped = false;
 };
 /// Never longer than `first`; keeps the rules if `first` does. Deterministic for seed and kicks unless
-/// stopped.
+/// stopped. It also ends, with what it has, when it has read `most_visits` visits to see whether rules are
+/// kept.
 Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks,
-                 const Progress& progress);
+                 const Progress& progress,
+                 std::uint64_t most_visits = std::numeric_limits<std::uint64_t>::max());
 /// Kicks when none are asked for, by the number of pieces.
 std::uint64_t default_kicks(int pieces);
+/// Each candidate of a problem with rules is tried by reading the whole order: so many visits take about half
+/// a second.
+inline constexpr std::uint64_t default_visits = 40'000'000;
 
 }  // namespace strandline::tour

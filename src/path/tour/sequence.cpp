@@ -156,6 +156,7 @@ void Sequence::forget() {
 std::vector<Visit> Sequence::read(int from, int step) const {
     std::vector<Visit> order;
     order.reserve(index(model_->piece_count()));
+    visits_read += static_cast<std::uint64_t>(model_->piece_count());
     for (int k = 0, place = from; k < model_->piece_count(); ++k) {
         const int node = node_at(place), piece = node / 2;
         order.push_back({piece, node % 2 == 1 && !model_->is_polygon(piece), choice(piece)});

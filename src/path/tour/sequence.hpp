@@ -16,6 +16,9 @@ class Sequence {
   public:
     Sequence(const Model& model, const std::vector<Visit>& order);
 
+    /// Visits read so far to see whether rules are kept: what a search with rules costs.
+    mutable std::uint64_t visits_read = 0;
+
     const Model& model() const { return *model_; }
     int nodes() const { return static_cast<int>(tour_.size()); }
     int node_at(int place) const { return tour_[static_cast<std::size_t>(place)]; }

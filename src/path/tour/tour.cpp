@@ -26,7 +26,8 @@ Outcome<Tour> solve(const Problem& problem, const Options& options, const Progre
     const std::uint64_t kicks = options.moves > 0 ? options.moves : some;
     const bool small = model->piece_count() <= most_exact_pieces;
     Searched searched =
-        improve(*model, *first, options.seed, small ? std::min(kicks, some) : kicks, progress);
+        improve(*model, *first, options.seed, small ? std::min(kicks, some) : kicks, progress,
+                options.moves > 0 ? std::numeric_limits<std::uint64_t>::max() : default_visits);
     Tour tour;
     const auto state = [&](const std::vector<Visit>& order) {
         tour.steps = steps_of(*model, order);

@@ -121,7 +121,9 @@ class Timer {
 
     void add(const Leg& leg) {
         if (leg.motion == Motion::pivot) {
-            if (leg.path.empty()) return;
+            if (leg.path.empty() ||
+                wrap_angle(leg.path.back().pose.heading - leg.path.front().pose.heading) == 0)
+                return;
             stand();
             add_pivot(samples_, leg, robot_, t_);
             stood_ = leg.path.back();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -30,7 +31,10 @@ std::optional<Found> find(const order::Job& job, const NodeName& name) {
     const std::vector<Stroke>& strokes = job.groups[static_cast<std::size_t>(*group)].work.strokes;
     const Stroke& stroke = name.node == 0 ? strokes.front() : strokes.back();
     const int last = static_cast<int>(stroke.nodes.size()) - 1;
-    if (name.node == -1) return Found{*group, last};
+    if (name.node == -1) {
+        const auto drawn = std::ranges::max_element(stroke.nodes, {}, &Node::drawn);
+        return Found{*group, drawn->drawn < 0 ? last : static_cast<int>(drawn - stroke.nodes.begin())};
+    }
     for (int i = 0; i <= last; ++i)
         if (stroke.nodes[static_cast<std::size_t>(i)].drawn == name.node) return Found{*group, i};
     // Fills have no drawn nodes: only their start and end can be named.

@@ -63,7 +63,7 @@ Owners region_owners(const Plan& plan, double cell, Box laid) {
         if (region == nullptr || region->outer.size() < 3) continue;
         for_rows(*region, owners.ground, laid, [&](int row, int first, int end) {
             for (int i = std::max(first, left); i < std::min(end, right); ++i)
-                owners.ground.at(i, row).element = static_cast<std::int16_t>(e);
+                owners.ground.at(i, row).element = static_cast<std::int32_t>(e);
         });
     }
     return owners;

@@ -204,7 +204,7 @@ class Layer {
                     ++cell.passes;
                 }
                 cell.last_raked = now;
-                cell.element = static_cast<std::int16_t>(element);
+                cell.element = static_cast<std::int32_t>(element);
             });
         }
     }
