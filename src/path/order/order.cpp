@@ -54,6 +54,9 @@ tour::Problem problem_of(const Job& job) {
 /// Whether the drive may go straight on from the end of one rake path to the start of the next.
 bool nearly_touch(const std::vector<Curve>& a, const std::vector<Curve>& b, const Robot& robot,
                   const Options& options) {
+    // Rounding moves the ends that meet, and the legs could not be dealt back to their strokes.
+    if (options.drive.below == drive::Below::round || options.drive.above == drive::Above::round)
+        return false;
     // A robot that turns on the spot for free gains nothing.
     if (robot.min_radius <= 0 || options.connect.style == connect::Style::straight) return false;
     const Pose from = end_pose(a.back()), to = b.front().start;
@@ -101,11 +104,10 @@ Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& opti
         if (!chains.empty()) {
             const std::vector<Curve>& done = chains.back().back().rake_path;
             answer.straight += distance(end_pose(done.back()).at, next.rake_path.front().start.at);
-            // Fills round their corners, lines do not: one drive cannot do both.
             const auto is_fill = [&](const Planned& p) {
                 return answer.strokes[static_cast<std::size_t>(p.stroke)].fill;
             };
-            if (is_fill(chains.back().back()) == is_fill(next) &&
+            if (!is_fill(chains.back().back()) && !is_fill(next) &&
                 nearly_touch(done, next.rake_path, robot, options)) {
                 ++answer.direct;
                 chains.back().push_back(std::move(next));

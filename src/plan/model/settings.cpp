@@ -44,14 +44,6 @@ std::vector<Setting> make_table() {
          {},
          "",
          [](Options& o) -> Field { return &o.place.scale_denominator; }},
-        {"place.positioned",
-         "put the drawing's lower left corner at place.x, place.y",
-         Kind::flag,
-         0,
-         1,
-         {},
-         "",
-         [](Options& o) -> Field { return &o.place.positioned; }},
         {"place.x",
          "left edge of the drawing on the canvas",
          Kind::length,
@@ -68,6 +60,14 @@ std::vector<Setting> make_table() {
          {},
          "",
          [](Options& o) -> Field { return &o.place.y; }},
+        {"place.positioned",
+         "put the drawing's lower left corner at place.x, place.y",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.place.positioned; }},
         {"place.rotate",
          "turn the drawing counter-clockwise",
          Kind::angle,
@@ -220,14 +220,6 @@ std::vector<Setting> make_table() {
          {},
          "--no_tree_ordering",
          [](Options& o) -> Field { return &o.tour.inner_first; }},
-        {"tour.has_start",
-         "begin near tour.start_x, tour.start_y",
-         Kind::flag,
-         0,
-         1,
-         {},
-         "",
-         [](Options& o) -> Field { return &o.tour.has_start; }},
         {"tour.start_x",
          "start point",
          Kind::length,
@@ -244,6 +236,14 @@ std::vector<Setting> make_table() {
          {},
          "",
          [](Options& o) -> Field { return &o.tour.start_y; }},
+        {"tour.has_start",
+         "begin near tour.start_x, tour.start_y",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.tour.has_start; }},
         {"tour.seed",
          "of the search for the order",
          Kind::integer,
@@ -419,6 +419,17 @@ std::string name_of(Setting::Kind kind) {
     return {};
 }
 
+namespace {
+
+/// Giving a value means wanting it: a start point, a position and a direction each have a switch beside them.
+void switch_on(Options& options, const std::string& key) {
+    if (key == "place.x" || key == "place.y") options.place.positioned = true;
+    if (key == "tour.start_x" || key == "tour.start_y") options.tour.has_start = true;
+    if (key == "fill.direction") options.fill.best_direction = false;
+}
+
+}  // namespace
+
 Outcome<void> set(Options& options, const std::string& key, const std::string& value) {
     const Setting* setting = find(key);
     if (!setting) {
@@ -451,6 +462,7 @@ Outcome<void> set(Options& options, const std::string& key, const std::string& v
     } else {
         *std::get<double*>(field) = *number;
     }
+    switch_on(options, key);
     return {};
 }
 

@@ -83,9 +83,22 @@ void check_finite(const Plan& plan, Faults& faults) {
     }
 }
 
+/// What a person sees follows the size of the picture: 1 cm on a beach of 14 m, a tenth of a millimetre on a
+/// sheet of paper.
+double tolerance_for(const Canvas& canvas) {
+    const Canvas beach;
+    const double share = std::min(canvas.width, canvas.height) / std::min(beach.width, beach.height);
+    constexpr double on_the_beach = 0.01, least = 1e-6;
+    return std::max(least, on_the_beach * std::min(1.0, share));
+}
+
 void check_sand(const Plan& plan, const Options& options, Faults& faults, Report& report,
                 const Progress& progress) {
-    const sand::Sand sand = sand::simulate(plan, {}, progress);
+    sand::Options raster;
+    raster.cell = 2 * options.tolerance;
+    // Raking again within the rake's own width is one pass round a corner.
+    raster.pass_gap = std::min(raster.pass_gap, 1.2 * plan.robot.rake_width());
+    const sand::Sand sand = sand::simulate(plan, raster, progress);
     double area = 0, covered = 0, overdraw = 0;
     for (const sand::Account& account : sand.regions) {
         area += account.area;
@@ -158,7 +171,9 @@ const char* name_of(Law law) {
     return "";
 }
 
-Report prove(const Plan& plan, const Options& options, const Progress& progress) {
+Report prove(const Plan& plan, const Options& wished, const Progress& progress) {
+    Options options = wished;
+    if (options.tolerance <= 0) options.tolerance = tolerance_for(plan.drawing.canvas);
     Report report;
     Faults faults;
     if (plan.version != Plan::current_version) {

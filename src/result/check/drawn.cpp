@@ -10,22 +10,23 @@
 namespace strandline::check {
 namespace {
 
-/// Metres: chords that stand for an element's exact path leave it by this at most; far below the tolerance.
-constexpr double chord_error = 0.0001;
+// Lengths are shares of the tolerance, which follows the canvas.
+/// Chords that stand for an element's exact path leave it by this at most; far below the tolerance.
+constexpr double chord_error = 0.01;
 /// Metres between the places of a path that are looked for in what was drawn.
-constexpr double place_step = 0.01;
+constexpr double place_step = 1;
 constexpr double most_places = 200'000;
 /// Metres: less is the fit of the rake path, not a rounded corner.
-constexpr double worth_explaining = 0.001;
+constexpr double worth_explaining = 0.1;
 /// Radians: less than this is a chord of a curve, not a corner: rounding it with the corner's radius moves it
 /// by under 0.3 %.
 constexpr double corner_turn = 0.15;
 /// Radians round corner.threshold in which either treatment of a corner may have been chosen.
 constexpr double threshold_slack = 0.05;
 /// Drawn length over the path's: a share for samples and fit, metres for the ends.
-constexpr double length_share = 0.02, length_ends = 0.05;
+constexpr double length_share = 0.02, length_ends = 5;
 /// Metres: a gap that long in a drawn line is a piece left out.
-constexpr double gap = 0.02;
+constexpr double gap = 2;
 /// Metres outside the field that an element may lie and still be looked for.
 constexpr double far_outside = 1000;
 
@@ -174,10 +175,10 @@ class Judge {
         // A line's own length and places say it all.
         const bool fill = std::holds_alternative<RegionElement>(
             plan_.drawing.elements[static_cast<std::size_t>(stroke.element)].what);
-        if (fill && length_drawn > planned * (1 + length_share) + length_ends)
+        if (fill && length_drawn > planned * (1 + length_share) + length_ends * options_.tolerance)
             fault(fmt::format("{} is drawn more than once: {:.3f} m drawn of {:.3f} m", whose, length_drawn,
                               planned));
-        else if (fill && length_drawn == 0 && planned > gap)
+        else if (fill && length_drawn == 0 && planned > gap * options_.tolerance)
             fault(fmt::format("{} is not drawn: 0 m of {:.3f} m", whose, planned));
         for (std::size_t other = 0; other < k; ++other)
             if (plan_.strokes[other].element == stroke.element &&
@@ -187,7 +188,7 @@ class Judge {
 
     void line(int element, const Path& path) {
         const Drawn& drawn = drawn_[static_cast<std::size_t>(element)];
-        const Polyline chords = flattened(path, chord_error);
+        const Polyline chords = flattened(path, chord_error * options_.tolerance);
         if (chords.size() < 2) return;
         const SegmentTree::Segments segments = segments_of(chords, path.closed);
         double whole = 0;
@@ -198,9 +199,10 @@ class Judge {
         for (const auto& [k, stroke] : drawn.places) {
             const Sample& s = plan_.samples[static_cast<std::size_t>(k)];
             const double off = target.distance(s.rake);
-            const double beyond = off - (off > worth_explaining ? explained(rounded, &Rounding::aside, s.rake,
-                                                                            options_.tolerance)
-                                                                : 0);
+            const double beyond =
+                off - (off > worth_explaining * options_.tolerance
+                           ? explained(rounded, &Rounding::aside, s.rake, options_.tolerance)
+                           : 0);
             report_.worst_offset = std::max(report_.worst_offset, beyond);
             if (beyond > options_.tolerance)
                 faults_.add(beyond,
@@ -214,12 +216,13 @@ class Judge {
         for (const auto& [a, b] : drawn.segments) {
             const Point middle = between(a, b, 0.5);
             const double off = target.distance(middle);
-            if (off <= options_.tolerance + (off > worth_explaining ? explained(rounded, &Rounding::aside,
-                                                                                middle, options_.tolerance)
-                                                                    : 0))
+            if (off <=
+                options_.tolerance + (off > worth_explaining * options_.tolerance
+                                          ? explained(rounded, &Rounding::aside, middle, options_.tolerance)
+                                          : 0))
                 on_path += distance(a, b);
         }
-        if (on_path > whole * (1 + length_share) + length_ends)
+        if (on_path > whole * (1 + length_share) + length_ends * options_.tolerance)
             faults_.add(1, {Law::drawn_once,
                             fmt::format("{} is drawn more than once: {:.3f} m drawn of {:.3f} m",
                                         name_of_element(plan_, element), on_path, whole),
@@ -229,7 +232,7 @@ class Judge {
 
     void missing(int element, const SegmentTree::Segments& path, double whole, const SegmentTree& drawn,
                  const std::vector<Rounding>& rounded) {
-        const double step = std::max(place_step, whole / most_places);
+        const double step = std::max(place_step * options_.tolerance, whole / most_places);
         double left_out = 0, run = 0, longest = 0;
         Point begin{}, worst{};
         for (const auto& [a, b] : path) {
@@ -251,7 +254,7 @@ class Judge {
                 }
             }
         }
-        if (longest > gap)
+        if (longest > gap * options_.tolerance)
             faults_.add(1, {Law::drawn_once,
                             fmt::format("{} is {}: {:.3f} m of {:.3f} m left out, {:.3f} m in one piece",
                                         name_of_element(plan_, element),
