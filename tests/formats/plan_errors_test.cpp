@@ -52,7 +52,7 @@ TEST(PlanErrors, AMissingAnUnknownAndAMistypedFieldAreNamedByPointer) {
     EXPECT_SAYS(refused("\"rake_offset\":0.2", "\"rake_offset\":\"0.2\""),
                 "/robot/rake_offset: a text where");
     EXPECT_SAYS(refused("\"id\":\"second\"", "\"id\":2"), "/drawing/elements/1/id");
-    EXPECT_SAYS(refused("\"fill.spacing\":\"0.4\"", "\"fill.spacing\":\"-4\""), "/options/fill.spacing");
+    EXPECT_SAYS(refused("\"fill.spacing\":\"0\"", "\"fill.spacing\":\"-4\""), "/options/fill.spacing");
     EXPECT_SAYS(refused("\"link\"", "\"knot\""), "/edits/0/edit: \"knot\" is no edit");
 }
 
