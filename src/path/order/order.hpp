@@ -1,5 +1,5 @@
 #pragma once
-// The tour on true cost: which stroke comes when, where it is entered and in which sense, and what is driven
+// Which stroke comes when, where it is entered and in which sense, and what is driven
 // between. The only room that sees tour, drive and connect together. See docs/order.md.
 #include <optional>
 #include <string>

@@ -55,6 +55,22 @@ order::Options order_options(const Options& options, const Robot& robot) {
 
 void add(Warnings& to, const Warnings& from) { to.insert(to.end(), from.begin(), from.end()); }
 
+// A sample and the states behind it take about half a kilobyte while planning: this many fit a laptop.
+constexpr double most_samples = 3e6;
+
+Outcome<void> not_too_long(const std::vector<order::Group>& groups, const Options& options) {
+    double drawn = 0;
+    for (const order::Group& group : groups)
+        for (const Stroke& stroke : group.work.strokes) drawn += length(stroke);
+    if (drawn / options.trajectory.step <= most_samples) return {};
+    return fail("the drive",
+                "would draw " + number_text(std::round(drawn / 1000)) + " km, more than " +
+                    number_text(most_samples) + " samples " + number_text(options.trajectory.step) +
+                    " m apart",
+                "make the canvas smaller, trajectory.step larger, or lines of the wide strokes "
+                "(robot.fill_wide_strokes=off)");
+}
+
 /// What the finished trajectory says of itself.
 void measure(Figures& figures, const Plan& plan) {
     for (std::size_t i = 1; i < plan.samples.size(); ++i) {
@@ -174,6 +190,8 @@ Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options&
     if (strokes.groups.empty())
         return fail(source.title, "nothing of the drawing can be raked at this size",
                     "make the canvas larger, or choose a narrower rake");
+    if (const auto bearable = not_too_long(strokes.groups, options); !bearable)
+        return tl::unexpected(bearable.error());
     order::Job job{std::move(strokes.groups), {}, {}, drawing->start};
     if (options.tour.has_start) job.start = Point{options.tour.start_x, options.tour.start_y};
     if (options.tour.inner_first) job.before = pipeline::inner_before_outer(job.groups, *drawing);

@@ -222,7 +222,11 @@ class Judge {
         const double bend =
             (up ? slack(dk, robot_.sharpness * (1 + share), ds) : bend_share * std::abs(dk) * ds) +
             (rest ? jump_share * std::abs(dk) * ds : 0);
-        const double direction = heading(b.pose.at - a.pose.at), spin = rounding / ds;
+        const double direction = heading(b.pose.at - a.pose.at);
+        // Fitted curves meet within a tenth of the drawing's tolerance (docs/curve.md), the robot's path with
+        // them.
+        const double seam = a.motion == Motion::draw ? plan_.options.drawing.tolerance / 10 : 0;
+        const double spin = (rounding + seam) / ds;
         double aside = std::abs(wrap_angle(direction - a.pose.heading - turn / 2));
         if (turns_freely_ && rest) aside -= std::abs(turn) / 2;  // a corner at the standing end
         if (aside > chord_tolerance + bend + spin)
