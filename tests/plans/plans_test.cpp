@@ -1,8 +1,7 @@
-#include "plan/pipeline/pipeline.hpp"
-
 #include <gtest/gtest.h>
 
 #include "check/mutations.hpp"
+#include "plan/pipeline/pipeline.hpp"
 #include "result/check/check.hpp"
 
 namespace strandline {
@@ -59,7 +58,8 @@ TEST(Pipeline, EveryMutationOfARealPlanIsNamed) {
     for (const auto& mutation : mutations::twelve()) {
         const Plan mutant = mutation.apply(*plan);
         ASSERT_FALSE(mutant == *plan) << mutation.name << " changed nothing";
-        if (mutation.listed) continue;  // a crossing needs two neighbouring lines: tests/check has the plan for it
+        if (mutation.listed)
+            continue;  // a crossing needs two neighbouring lines: tests/check has the plan for it
         EXPECT_GT(count(mutant, mutation.law), count(*plan, mutation.law)) << mutation.name;
     }
 }

@@ -49,8 +49,9 @@ Outcome<double> parse_quantity(std::string_view text, const std::string& place,
 }  // namespace
 
 Outcome<double> parse_length(std::string_view text, const std::string& place) {
-    return parse_quantity(text, place,
-                          {{"", 1}, {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"km", 1000}, {"ft", 0.3048}, {"in", 0.0254}});
+    return parse_quantity(
+        text, place,
+        {{"", 1}, {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"km", 1000}, {"ft", 0.3048}, {"in", 0.0254}});
 }
 Outcome<double> parse_angle(std::string_view text, const std::string& place) {
     constexpr double degree = std::numbers::pi / 180;

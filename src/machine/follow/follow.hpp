@@ -1,8 +1,9 @@
 #pragma once
-// Rake path <-> robot path. The rake's centre Q trails the turning point P: Q = P - L e(theta). On a rake path with
-// tangent phi and curvature k, delta = theta - phi obeys d delta / ds = sin(delta)/L - k; the robot's curvature is tan(delta)/L and
-// its arc length grows by cos(delta) per metre of rake. Forward that is unstable, backward contracting: one backward pass gives the robot path.
-// Exact while |k| < 1/L (see docs/follow.md for the derivation).
+// Rake path <-> robot path. The rake's centre Q trails the turning point P: Q = P - L e(theta). On a rake
+// path with tangent phi and curvature k, delta = theta - phi obeys d delta / ds = sin(delta)/L - k; the
+// robot's curvature is tan(delta)/L and its arc length grows by cos(delta) per metre of rake. Forward that is
+// unstable, backward contracting: one backward pass gives the robot path. Exact while |k| < 1/L (see
+// docs/follow.md for the derivation).
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
@@ -18,60 +19,68 @@ struct RobotState {
     double curvature = 0;
     bool operator==(const RobotState&) const = default;
 };
-/// States in order, s not decreasing. Between two states curvature is taken as linear in s. Two states with the same s
-/// are a jump: of curvature (same pose), so that the robot stops there; of heading too where it turns on the spot. Headings are not
-/// wrapped: neighbours differ by the angle really turned.
+/// States in order, s not decreasing. Between two states curvature is taken as linear in s. Two states with
+/// the same s are a jump: of curvature (same pose), so that the robot stops there; of heading too where it
+/// turns on the spot. Headings are not wrapped: neighbours differ by the angle really turned.
 using RobotPath = std::vector<RobotState>;
 
 Point rake_at(const Robot& robot, Pose robot_pose);
 Pose robot_at(const Robot& robot, Point rake, double robot_heading);
 double length(const RobotPath& path);
-/// Interpolated by cubic Hermite in position and heading: error O(step^4). s is clamped. At a jump: the state after it. O(log n).
+/// Interpolated by cubic Hermite in position and heading: error O(step^4). s is clamped. At a jump: the state
+/// after it. O(log n).
 RobotState state_at(const RobotPath& path, double s);
 /// A clothoid curve as states, at steps of at most `step`.
 RobotPath states_along(const Curve& curve, double step);
 
 /// What came of a rake path.
 struct Followed {
-    RobotPath path;                      ///< robot states from the rake path's start to its end
-    std::vector<double> rake_s;          ///< rake arc length of each state
-    struct Span { double from, to; };    ///< rake arc lengths
-    std::vector<Span> undrivable;        ///< where |delta| would reach `max_delta`: the rake leaves its path there
-    double max_delta = 0;                ///< largest |delta| met
-    double max_error = 0;                ///< metres: how far the rake gets off its path in undrivable spans
+    RobotPath path;              ///< robot states from the rake path's start to its end
+    std::vector<double> rake_s;  ///< rake arc length of each state
+    struct Span {
+        double from, to;
+    };                             ///< rake arc lengths
+    std::vector<Span> undrivable;  ///< where |delta| would reach `max_delta`: the rake leaves its path there
+    double max_delta = 0;          ///< largest |delta| met
+    double max_error = 0;          ///< metres: how far the rake gets off its path in undrivable spans
 };
 struct FollowOptions {
     double step = 0.01;       ///< metres of rake arc between states, at most
     double max_delta = 1.45;  ///< rad: beyond this the rake cannot follow without sliding (83 degrees)
     double end_delta = 0;     ///< delta at the rake path's end: free to choose; 0 = straight behind
-    bool steady_end = true;   ///< true: ignore end_delta, take the steady state of the end's curvature, limited to what min_radius allows
+    bool steady_end = true;   ///< true: ignore end_delta, take the steady state of the end's curvature,
+                              ///< limited to what min_radius allows
 };
-/// The robot path that makes the rake follow smooth curves laid end to end; at corners (heading jumps between curves)
-/// theta is continuous and delta jumps. One backward pass, Runge-Kutta 4, O(length / step). For rake_offset 0: the path itself.
-/// Where delta would pass max_delta the rake leaves its path: the robot, still rolling, brings it back as soon as it can, and the span
-/// is listed. Steps end on every joint of pieces.
-Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot, const FollowOptions& options = {});
-/// sin(delta) = curvature x rake_offset, where delta comes to rest on an endless arc; limited to |delta| <= most (radians).
+/// The robot path that makes the rake follow smooth curves laid end to end; at corners (heading jumps between
+/// curves) theta is continuous and delta jumps. One backward pass, Runge-Kutta 4, O(length / step). For
+/// rake_offset 0: the path itself. Where delta would pass max_delta the rake leaves its path: the robot,
+/// still rolling, brings it back as soon as it can, and the span is listed. Steps end on every joint of
+/// pieces.
+Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot,
+                        const FollowOptions& options = {});
+/// sin(delta) = curvature x rake_offset, where delta comes to rest on an endless arc; limited to |delta| <=
+/// most (radians).
 double steady_delta(const Robot& robot, double rake_curvature, double most);
-/// The largest |delta| at which the robot's own curvature is within 1/min_radius: atan(rake_offset / min_radius).
+/// The largest |delta| at which the robot's own curvature is within 1/min_radius: atan(rake_offset /
+/// min_radius).
 double connectable_delta(const Robot& robot);
 /// Track of one pin (0 = leftmost looking forward) for a robot path.
 std::vector<Point> pin_track(const Robot& robot, const RobotPath& path, int pin);
 
 /// What the robot is told at one instant.
 enum class Motion { draw, lead, loop, connect, pivot };
-/// draw: rake down. lead: rake up before or after a stroke, on its extension. loop: rake up round a corner. connect: between strokes.
-/// pivot: turning on the spot.
+/// draw: rake down. lead: rake up before or after a stroke, on its extension. loop: rake up round a corner.
+/// connect: between strokes. pivot: turning on the spot.
 struct Sample {
-    double t = 0;           ///< s from the start
-    Pose pose;              ///< of P
-    double curvature = 0;   ///< of P's path, signed
-    double speed = 0;       ///< m/s, >= 0
-    double turn_rate = 0;   ///< rad/s
-    Point rake;             ///< Q
-    unsigned mask = 0;      ///< pins down from this sample to the next
+    double t = 0;                     ///< s from the start
+    Pose pose;                        ///< of P
+    double curvature = 0;             ///< of P's path, signed
+    double speed = 0;                 ///< m/s, >= 0
+    double turn_rate = 0;             ///< rad/s
+    Point rake;                       ///< Q
+    unsigned mask = 0;                ///< pins down from this sample to the next
     Motion motion = Motion::connect;  ///< from this sample to the next
-    int stroke = -1;        ///< index of the stroke drawn from here to the next sample, -1 between strokes
+    int stroke = -1;  ///< index of the stroke drawn from here to the next sample, -1 between strokes
     bool operator==(const Sample&) const = default;
 };
 const char* name_of(Motion motion);

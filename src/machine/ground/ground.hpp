@@ -1,6 +1,6 @@
 #pragma once
-// The ground as a tiled raster: for each cell when it was raked and when it was rolled over. Tiles are made when first touched, so
-// memory follows the drawing, not the field.
+// The ground as a tiled raster: for each cell when it was raked and when it was rolled over. Tiles are made
+// when first touched, so memory follows the drawing, not the field.
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -15,8 +15,8 @@ namespace strandline {
 struct Cell {
     static constexpr float never = -1;
     float first_raked = never, last_raked = never, last_rolled = never;
-    std::uint16_t passes = 0;      ///< rakings more than `pass_gap` apart
-    std::int32_t element = -1;     ///< element of the last raking
+    std::uint16_t passes = 0;   ///< rakings more than `pass_gap` apart
+    std::int32_t element = -1;  ///< element of the last raking
 };
 
 /// A raster with cells of `cell` metres; cell (i, j) covers [i, i+1) x [j, j+1) times `cell`.
@@ -25,23 +25,24 @@ class Ground {
     static constexpr int tile_size = 64;
     explicit Ground(double cell_size);
     double cell_size() const { return cell_; }
-    Cell& at(int i, int j);                   ///< makes the tile when missing; O(1), cheapest within one tile
-    const Cell* find(int i, int j) const;     ///< nullptr where nothing was touched
+    Cell& at(int i, int j);                ///< makes the tile when missing; O(1), cheapest within one tile
+    const Cell* find(int i, int j) const;  ///< nullptr where nothing was touched
     std::size_t tiles() const { return tiles_.size(); }
     Point centre(int i, int j) const { return {(i + 0.5) * cell_, (j + 0.5) * cell_}; }
-    int index(double coordinate) const;       ///< of the cell that holds it; clamped to +-2^30 cells
+    int index(double coordinate) const;  ///< of the cell that holds it; clamped to +-2^30 cells
     /// Every touched tile's cells, in a fixed order (by row, then column).
     void visit(const std::function<void(int, int, const Cell&)>& what) const;
 
   private:
     double cell_;
     std::unordered_map<std::uint64_t, std::unique_ptr<Cell[]>> tiles_;
-    std::uint64_t latest_key_ = 0;   // the tile of the last at(): neighbours mostly share it
+    std::uint64_t latest_key_ = 0;  // the tile of the last at(): neighbours mostly share it
     Cell* latest_ = nullptr;
 };
 
-/// Calls with each cell whose centre lies in the convex polygon, by row, then column. Polygons that share an edge share no cell:
-/// a centre on the edge belongs to the one above it, or to its right. O(rows x corners + cells).
+/// Calls with each cell whose centre lies in the convex polygon, by row, then column. Polygons that share an
+/// edge share no cell: a centre on the edge belongs to the one above it, or to its right. O(rows x corners +
+/// cells).
 void for_cells_in(const Ground& ground, const Polygon& convex, const std::function<void(int, int)>& what);
 /// The bar that sweeps from segment a0-b0 to a1-b1: its convex hull, as counter-clockwise corners.
 Polygon swept_bar(Point a0, Point b0, Point a1, Point b1);

@@ -1,6 +1,6 @@
 #pragma once
-// The machine: its rake, pins, turning, speeds and limits. A profile is a TOML text; `docs/robot.md` lists every field.
-// Body frame: origin at the turning point P, x forward, y left. Metres, seconds, radians.
+// The machine: its rake, pins, turning, speeds and limits. A profile is a TOML text; `docs/robot.md` lists
+// every field. Body frame: origin at the turning point P, x forward, y left. Metres, seconds, radians.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace strandline {
 
-/// A stroke in the drawing of width up to `up_to` (SVG user units after all transforms, before it is fitted to the canvas) is drawn
-/// with `pins` pins. The last rule of a profile also serves every wider stroke.
+/// A stroke in the drawing of width up to `up_to` (SVG user units after all transforms, before it is fitted
+/// to the canvas) is drawn with `pins` pins. The last rule of a profile also serves every wider stroke.
 struct RakeRule {
     double up_to = 0;
     int pins = 1;
@@ -28,22 +28,24 @@ struct Wheel {
 /// A drawing machine. Invariant (kept by read_robot and valid()): every field in the range its docs state.
 struct Robot {
     std::string name = "beachbot";
-    double rake_offset = 0.2;     ///< L: the rake's centre trails P by this; 0: plotter
-    int pins = 7;                 ///< liftable pins, equally spaced across the travel
-    double pin_pitch = 0.06;      ///< metres between pins; a pin's groove is as wide as the pitch
-    double min_radius = 0.5;      ///< R of P when driving rake up; 0: turns on the spot are free (plotter)
-    double sharpness = 10;        ///< sigma: largest |d curvature / d s| rake up, 1/m^2
-    bool can_pivot = false;       ///< may turn on the spot
-    double speed = 0.2;           ///< rake down, m/s
-    double travel_speed = 0.2;    ///< rake up, m/s
-    double acceleration = 0.1;    ///< m/s^2
-    double turn_rate = 0.4;       ///< rad/s
+    double rake_offset = 0.2;        ///< L: the rake's centre trails P by this; 0: plotter
+    int pins = 7;                    ///< liftable pins, equally spaced across the travel
+    double pin_pitch = 0.06;         ///< metres between pins; a pin's groove is as wide as the pitch
+    double min_radius = 0.5;         ///< R of P when driving rake up; 0: turns on the spot are free (plotter)
+    double sharpness = 10;           ///< sigma: largest |d curvature / d s| rake up, 1/m^2
+    bool can_pivot = false;          ///< may turn on the spot
+    double speed = 0.2;              ///< rake down, m/s
+    double travel_speed = 0.2;       ///< rake up, m/s
+    double acceleration = 0.1;       ///< m/s^2
+    double turn_rate = 0.4;          ///< rad/s
     double turn_acceleration = 0.4;  ///< rad/s^2
-    double lift_delay = 0.0;      ///< s from command to pins up or down
+    double lift_delay = 0.0;         ///< s from command to pins up or down
     double front = 0.5, back = 0.35, half_width = 0.35;  ///< footprint around P
     std::vector<Wheel> wheels = {};
-    std::vector<RakeRule> rake_rules = {};  ///< ascending up_to; beachbot: 0->0, 1->1, 3->3, 5->5, 8->7 pins (2014)
-    bool fill_wide_strokes = true;     ///< a drawn stroke wider than the rake becomes a region; false: it stays one line (plotters)
+    std::vector<RakeRule> rake_rules =
+        {};  ///< ascending up_to; beachbot: 0->0, 1->1, 3->3, 5->5, 8->7 pins (2014)
+    bool fill_wide_strokes =
+        true;  ///< a drawn stroke wider than the rake becomes a region; false: it stays one line (plotters)
     bool operator==(const Robot&) const = default;
 
     double rake_width() const { return pins * pin_pitch; }
@@ -59,13 +61,14 @@ int pins_for_width(const Robot& robot, double stroke_width);
 /// Corners of the footprint, counter-clockwise, in the body frame.
 Polygon footprint(const Robot& robot);
 
-std::vector<std::string> builtin_robots();                 ///< "beachbot", "plotter", "turf"
-Outcome<Robot> builtin_robot(std::string_view name);       ///< unknown: the Error lists the names
-/// TOML text; `base = "plotter"` starts from that built-in, without it from beachbot. `place` names the text in errors ("my.toml"). A wrong field is refused by
-/// name with its unit and range; unknown fields too.
+std::vector<std::string> builtin_robots();            ///< "beachbot", "plotter", "turf"
+Outcome<Robot> builtin_robot(std::string_view name);  ///< unknown: the Error lists the names
+/// TOML text; `base = "plotter"` starts from that built-in, without it from beachbot. `place` names the text
+/// in errors ("my.toml"). A wrong field is refused by name with its unit and range; unknown fields too.
 Outcome<Robot> read_robot(std::string_view toml, const std::string& place);
-std::string write_robot(const Robot& robot);               ///< TOML that reads back equal
-/// The robot itself when every field is in its range and the fields agree with each other; else the Error names field, unit and range.
+std::string write_robot(const Robot& robot);  ///< TOML that reads back equal
+/// The robot itself when every field is in its range and the fields agree with each other; else the Error
+/// names field, unit and range.
 Outcome<Robot> valid(Robot robot, const std::string& place);
 /// One number or flag by its field name, e.g. ("min_radius", "0.3"): for --set robot.min_radius=0.3.
 Outcome<Robot> with_field(Robot robot, const std::string& field, const std::string& value);

@@ -1,7 +1,7 @@
 #pragma once
-// Exact paths (lines, elliptic arcs, cubic Beziers) as drawings hold them, and clothoid curves as robots drive
-// them; fitting the first by the second; Dubins and continuous-curvature curves between poses.
-// Metres, radians, counter-clockwise; curvature in 1/m, positive to the left; sharpness = d curvature / d s in 1/m^2.
+// Exact paths (lines, elliptic arcs, cubic Beziers) as drawings hold them, and clothoid curves as robots
+// drive them; fitting the first by the second; Dubins and continuous-curvature curves between poses. Metres,
+// radians, counter-clockwise; curvature in 1/m, positive to the left; sharpness = d curvature / d s in 1/m^2.
 #include <variant>
 #include <vector>
 
@@ -9,7 +9,8 @@
 
 namespace strandline {
 
-// ---- exact paths -------------------------------------------------------------------------------------------
+// ---- exact paths
+// -------------------------------------------------------------------------------------------
 
 struct LineSegment {
     Point to;
@@ -19,8 +20,8 @@ struct CubicSegment {
     Point control1, control2, to;
     bool operator==(const CubicSegment&) const = default;
 };
-/// P(t) = center + cos(t) u + sin(t) v for t from `start` to `start + sweep`. u and v need not be perpendicular, so
-/// any affine image of an elliptic arc is one. `to` = P(start + sweep).
+/// P(t) = center + cos(t) u + sin(t) v for t from `start` to `start + sweep`. u and v need not be
+/// perpendicular, so any affine image of an elliptic arc is one. `to` = P(start + sweep).
 struct ArcSegment {
     Point center, u, v;
     double start, sweep;
@@ -53,7 +54,8 @@ double length(const Path& path);
 /// Exact bounding box (extrema of each segment).
 Box bounds(const Path& path);
 
-// ---- clothoid curves ---------------------------------------------------------------------------------------
+// ---- clothoid curves
+// ---------------------------------------------------------------------------------------
 
 /// Where something is and where it looks.
 struct Pose {
@@ -62,15 +64,16 @@ struct Pose {
     bool operator==(const Pose&) const = default;
 };
 
-/// Curvature runs linearly from `curvature` with slope `sharpness` over `length` >= 0. Lines and circular arcs are
-/// clothoids with sharpness 0.
+/// Curvature runs linearly from `curvature` with slope `sharpness` over `length` >= 0. Lines and circular
+/// arcs are clothoids with sharpness 0.
 struct Clothoid {
     double length = 0, curvature = 0, sharpness = 0;
     double end_curvature() const { return curvature + sharpness * length; }
     bool operator==(const Clothoid&) const = default;
 };
 
-/// Clothoids end to end: position and heading are continuous by construction; curvature is where the pieces agree.
+/// Clothoids end to end: position and heading are continuous by construction; curvature is where the pieces
+/// agree.
 struct Curve {
     Pose start;
     std::vector<Clothoid> pieces;
@@ -84,8 +87,8 @@ struct CurvePoint {
     double curvature;
 };
 
-/// Where a clothoid from `start` has come after `s`. Absolute error below 1e-12 x (1 + s) for |turning| < 50 rad:
-/// Gauss-Legendre panels. O(1 + turning).
+/// Where a clothoid from `start` has come after `s`. Absolute error below 1e-12 x (1 + s) for |turning| < 50
+/// rad: Gauss-Legendre panels. O(1 + turning).
 Pose advanced(Pose start, const Clothoid& piece, double s);
 Pose end_pose(const Curve& curve);
 double length(const Curve& curve);
@@ -109,30 +112,33 @@ Curve straight(Pose start, double length);
 /// Integral of curvature^2, 1/m.
 double bending_energy(const Curve& curve);
 
-/// One clothoid from pose to pose (G1 Hermite): Bertolazzi and Frego, "G1 fitting with clothoids", Math. Meth. Appl.
-/// Sci. 2015, section 3 (Newton on one unknown from their guess). Position error below 1e-10 x chord. Poses at
-/// distinct points.
+/// One clothoid from pose to pose (G1 Hermite): Bertolazzi and Frego, "G1 fitting with clothoids", Math.
+/// Meth. Appl. Sci. 2015, section 3 (Newton on one unknown from their guess). Position error below 1e-10 x
+/// chord. Poses at distinct points.
 Curve hermite_clothoid(Pose from, Pose to);
 
-// ---- fitting -----------------------------------------------------------------------------------------------
+// ---- fitting
+// -----------------------------------------------------------------------------------------------
 
 struct FitOptions {
-    double tolerance = 0.002;     ///< metres: largest distance between path and fit
-    double corner_angle = 0.02;   ///< radians: heading jumps above this stay corners; smaller ones are smoothed over
-    /// radians: chains of straight lines that turn by no more than this at a vertex are smoothed over as well where the bulge
-    /// stays within the tolerance (drawings that were flattened before). 0: off.
+    double tolerance = 0.002;  ///< metres: largest distance between path and fit
+    double corner_angle =
+        0.02;  ///< radians: heading jumps above this stay corners; smaller ones are smoothed over
+    /// radians: chains of straight lines that turn by no more than this at a vertex are smoothed over as well
+    /// where the bulge stays within the tolerance (drawings that were flattened before). 0: off.
     double smooth_angle = 0;
 };
-/// The path as smooth curves with corners between them: curves[i] ends where curves[i+1] starts. Lines and circular arcs
-/// come out as one piece each; the rest as G1 clothoid Hermite pieces between points of the path, halved until the
-/// tolerance holds. Zero-length segments are dropped; a path without length gives an empty vector. A closed path's
-/// fit starts at its start; a smooth closed path meets itself in heading.
+/// The path as smooth curves with corners between them: curves[i] ends where curves[i+1] starts. Lines and
+/// circular arcs come out as one piece each; the rest as G1 clothoid Hermite pieces between points of the
+/// path, halved until the tolerance holds. Zero-length segments are dropped; a path without length gives an
+/// empty vector. A closed path's fit starts at its start; a smooth closed path meets itself in heading.
 std::vector<Curve> fitted(const Path& path, const FitOptions& options);
 
-// ---- curves between poses ----------------------------------------------------------------------------------
+// ---- curves between poses
+// ----------------------------------------------------------------------------------
 
-/// The shortest curve with |curvature| <= 1/radius: Dubins, Am. J. Math. 1957; words by Shkel and Lumelsky 2001. Curvature
-/// jumps. Never fails. About 0.5 us.
+/// The shortest curve with |curvature| <= 1/radius: Dubins, Am. J. Math. 1957; words by Shkel and Lumelsky
+/// 2001. Curvature jumps. Never fails. About 0.5 us.
 Curve dubins(Pose from, Pose to, double radius);
 double dubins_length(Pose from, Pose to, double radius);
 
@@ -146,10 +152,10 @@ struct CurveLimits {
     double radius = 0.5;      ///< metres, > 0
     double sharpness = 10.0;  ///< 1/m^2, > 0
 };
-/// A short G2 curve within the limits; end curvatures are met exactly (clamped to 1/radius when outside: the caller's
-/// fault, asserted in debug). Never fails. CC turns after Fraichard and Scheuer, IEEE Trans. Robotics 2004, with end
-/// curvatures as in Banzhaf et al., ITSC 2017 (HC/CC with given curvature); the shortest of all families. Position and heading
-/// of the end are met to 1e-9.
+/// A short G2 curve within the limits; end curvatures are met exactly (clamped to 1/radius when outside: the
+/// caller's fault, asserted in debug). Never fails. CC turns after Fraichard and Scheuer, IEEE Trans.
+/// Robotics 2004, with end curvatures as in Banzhaf et al., ITSC 2017 (HC/CC with given curvature); the
+/// shortest of all families. Position and heading of the end are met to 1e-9.
 Curve continuous_curvature(const CurvatureState& from, const CurvatureState& to, const CurveLimits& limits);
 
 }  // namespace strandline

@@ -32,8 +32,8 @@ bool overlaps(Box a, Box b) {
 }
 
 Affine composed(const Affine& m, const Affine& n) {
-    return {m.a * n.a + m.c * n.b,       m.b * n.a + m.d * n.b,       m.a * n.c + m.c * n.d,
-            m.b * n.c + m.d * n.d,       m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f};
+    return {m.a * n.a + m.c * n.b, m.b * n.a + m.d * n.b,       m.a * n.c + m.c * n.d,
+            m.b * n.c + m.d * n.d, m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f};
 }
 double mean_scale(const Affine& m) { return std::sqrt(std::abs(determinant(m))); }
 
@@ -132,7 +132,8 @@ bool contains(const Polygon& polygon, Point p) {
     bool inside = false;
     for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
         const Point a = polygon[j], b = polygon[i];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
     }
     return inside;
 }
@@ -154,9 +155,9 @@ double distance_to(const Polyline& line, Point p) {
     return best;
 }
 double distance_to_outline(const Polygon& polygon, Point p) {
-    return polygon.empty() ? std::numeric_limits<double>::infinity()
-                           : std::min(distance_to(polygon, p),
-                                      distance_to_segment(p, polygon.back(), polygon.front()));
+    return polygon.empty()
+               ? std::numeric_limits<double>::infinity()
+               : std::min(distance_to(polygon, p), distance_to_segment(p, polygon.back(), polygon.front()));
 }
 std::optional<Crossing> crossing(Point a, Point b, Point c, Point d) {
     const Point u = b - a, v = d - c;

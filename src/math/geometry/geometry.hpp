@@ -1,6 +1,6 @@
 #pragma once
-// Points, polylines, polygons, regions and what is measured on them. Metres, y up, counter-clockwise positive,
-// angles in radians. Everything here is a plain value or a free function.
+// Points, polylines, polygons, regions and what is measured on them. Metres, y up, counter-clockwise
+// positive, angles in radians. Everything here is a plain value or a free function.
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -64,7 +64,9 @@ constexpr Point apply(const Affine& m, Point p) {
     return {m.a * p.x + m.c * p.y + m.e, m.b * p.x + m.d * p.y + m.f};
 }
 /// The linear part alone: for vectors.
-constexpr Point apply_to_vector(const Affine& m, Point v) { return {m.a * v.x + m.c * v.y, m.b * v.x + m.d * v.y}; }
+constexpr Point apply_to_vector(const Affine& m, Point v) {
+    return {m.a * v.x + m.c * v.y, m.b * v.x + m.d * v.y};
+}
 /// first `inner`, then `outer`.
 Affine composed(const Affine& outer, const Affine& inner);
 constexpr double determinant(const Affine& m) { return m.a * m.d - m.b * m.c; }
@@ -95,7 +97,8 @@ Box bounds(const Region& region);
 std::vector<Point> reversed(std::vector<Point> points);
 /// Counter-clockwise copy.
 Polygon counter_clockwise(Polygon polygon);
-/// Consecutive points closer than `tolerance` become one (first and last stay; a polygon's end may join its start).
+/// Consecutive points closer than `tolerance` become one (first and last stay; a polygon's end may join its
+/// start).
 Polyline without_duplicates(const Polyline& line, double tolerance = 0);
 Polygon without_duplicate_corners(const Polygon& polygon, double tolerance = 0);
 /// The polyline cut into pieces no longer than `step`; corners are kept.
@@ -114,7 +117,8 @@ double distance_to_segment(Point p, Point a, Point b);
 double distance_to(const Polyline& line, Point p);
 /// Distance to the closed outline.
 double distance_to_outline(const Polygon& polygon, Point p);
-/// Where the open segments ab and cd cross, if they do in one point (end points count; parallel overlaps do not).
+/// Where the open segments ab and cd cross, if they do in one point (end points count; parallel overlaps do
+/// not).
 struct Crossing {
     double s, t;  ///< shares along ab and cd, in 0..1
     Point at;

@@ -1,6 +1,7 @@
 #pragma once
-// Areas: boolean operations, insets, simplifying, cutting into parts, and who encloses whom. Built on Clipper 6.4 (an
-// integer grid fitted to the bounding box: about 1e-9 of the extent) and CGAL (optimal convex parts). Metres.
+// Areas: boolean operations, insets, simplifying, cutting into parts, and who encloses whom. Built on
+// Clipper 6.4 (an integer grid fitted to the bounding box: about 1e-9 of the extent) and CGAL (optimal convex
+// parts). Metres.
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
@@ -12,8 +13,8 @@ using Regions = std::vector<Region>;  ///< disjoint interiors; outers counter-cl
 
 enum class FillRule { nonzero, even_odd };
 
-/// The areas that a set of closed outlines bounds under a fill rule; self-crossings resolved, slivers under the
-/// grid dropped, duplicate and collinear points removed. O(n log n) typical.
+/// The areas that a set of closed outlines bounds under a fill rule; self-crossings resolved, slivers under
+/// the grid dropped, duplicate and collinear points removed. O(n log n) typical.
 Regions resolved(const std::vector<Polygon>& outlines, FillRule rule);
 
 Regions united(const Regions& a, const Regions& b);
@@ -23,13 +24,14 @@ double area(const Regions& regions);
 Box bounds(const Regions& regions);
 bool contains(const Regions& regions, Point p);
 
-/// Every point of the result is at least `by` from the outside: Euclidean, so reflex corners come out as arcs (chord
-/// error `arc_tolerance`, metres; 0: by/500). `by` < 0 grows with round corners. `arc_tolerance` is capped at |by|/4.
+/// Every point of the result is at least `by` from the outside: Euclidean, so reflex corners come out as arcs
+/// (chord error `arc_tolerance`, metres; 0: by/500). `by` < 0 grows with round corners. `arc_tolerance` is
+/// capped at |by|/4.
 Regions inset(const Regions& regions, double by, double arc_tolerance = 0);
 /// Outline moves at most `tolerance`; a part that vanishes is dropped (area below tolerance^2).
 Regions simplified(const Regions& regions, double tolerance);
-/// The area within `radius` of an open or closed chain: what a round pen of that radius leaves. Round joins and
-/// caps, or flat caps.
+/// The area within `radius` of an open or closed chain: what a round pen of that radius leaves. Round joins
+/// and caps, or flat caps.
 enum class Cap { round, flat, square };
 Regions swept(const std::vector<Polyline>& lines, bool closed, double radius, Cap cap = Cap::round);
 /// The parts of a polyline inside and outside the regions, in order along the line.
@@ -44,15 +46,16 @@ struct Halves {
 };
 Halves cut(const Regions& regions, Point a, Point b);
 
-/// Parts in each of which every line of direction `direction` (radians) meets the area in one piece (for hatching along `direction`).
-/// Boustrophedon sweep (Choset 2000) over vertices; holes are served. Parts tile the region. O(n^2) worst.
+/// Parts in each of which every line of direction `direction` (radians) meets the area in one piece (for
+/// hatching along `direction`). Boustrophedon sweep (Choset 2000) over vertices; holes are served. Parts tile
+/// the region. O(n^2) worst.
 std::vector<Polygon> monotone_parts(const Region& region, double direction);
-/// The fewest convex parts without new vertices: Greene 1983, by CGAL. Hole-free, simple, at most 120 vertices: else
-/// an Error that says which.
+/// The fewest convex parts without new vertices: Greene 1983, by CGAL. Hole-free, simple, at most 120
+/// vertices: else an Error that says which.
 Outcome<std::vector<Polygon>> convex_parts(const Region& region);
 
-/// parent[i]: the smallest outline that encloses outline i, or -1. Touching outlines and equal ones count: of equal outlines the
-/// earlier encloses the later. Crossing outlines do not enclose each other.
+/// parent[i]: the smallest outline that encloses outline i, or -1. Touching outlines and equal ones count: of
+/// equal outlines the earlier encloses the later. Crossing outlines do not enclose each other.
 std::vector<int> nesting(const std::vector<Polygon>& outlines);
 
 }  // namespace strandline

@@ -18,13 +18,14 @@ struct Node {
 
 /// One go of the rake: down at its start, up at its end.
 struct Stroke {
-    int element = -1;             ///< index in the drawing
-    std::vector<Curve> rake_path = {}; ///< smooth curves end to end; corners between them
-    bool closed = false;          ///< ends where it starts: may be entered at any node
-    bool one_way = false;         ///< only in the direction given (fills)
-    bool fill = false;            ///< part of a region's fill: corners are rounded inside
-    int pins = 1;                 ///< pins down, centred
-    std::vector<Node> nodes = {};      ///< ascending s; open strokes: both ends at least; closed: the seam not repeated
+    int element = -1;                   ///< index in the drawing
+    std::vector<Curve> rake_path = {};  ///< smooth curves end to end; corners between them
+    bool closed = false;                ///< ends where it starts: may be entered at any node
+    bool one_way = false;               ///< only in the direction given (fills)
+    bool fill = false;                  ///< part of a region's fill: corners are rounded inside
+    int pins = 1;                       ///< pins down, centred
+    std::vector<Node> nodes =
+        {};  ///< ascending s; open strokes: both ends at least; closed: the seam not repeated
     bool operator==(const Stroke&) const = default;
 };
 double length(const Stroke& stroke);
@@ -37,22 +38,22 @@ struct StrokeGroup {
 
 /// How a stroke is gone through.
 struct Entry {
-    int stroke = -1;       ///< index into the plan's strokes
-    int node = 0;          ///< where it is entered
+    int stroke = -1;  ///< index into the plan's strokes
+    int node = 0;     ///< where it is entered
     bool reversed = false;
     bool operator==(const Entry&) const = default;
 };
 
-/// The stroke's rake path as driven: a closed stroke begun (and ended) at the node, an open one at its end; turned about when
-/// reversed. O(pieces).
+/// The stroke's rake path as driven: a closed stroke begun (and ended) at the node, an open one at its end;
+/// turned about when reversed. O(pieces).
 std::vector<Curve> rake_path_from(const Stroke& stroke, int node, bool reversed);
 
 /// A piece of the robot path with one kind of motion.
 struct Leg {
     Motion motion = Motion::connect;
-    int stroke = -1;    ///< stroke drawn or about to be drawn; -1 for connect
-    RobotPath path = {}; ///< pivot: two states at one place
-    Curve curve = {};   ///< connect and loop: the exact clothoids; else empty
+    int stroke = -1;      ///< stroke drawn or about to be drawn; -1 for connect
+    RobotPath path = {};  ///< pivot: two states at one place
+    Curve curve = {};     ///< connect and loop: the exact clothoids; else empty
     bool operator==(const Leg&) const = default;
 };
 

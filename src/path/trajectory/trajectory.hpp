@@ -12,11 +12,12 @@ struct Options {
     double dwell = 0.1;  ///< s the robot stands where its curvature jumps (exact corners), to turn its wheels
 };
 
-/// Legs end to end, each starting where the one before ended. Equal steps within a leg, joints kept, divided where the robot turns tightly; the
-/// robot stands at the start, the end, at turns on the spot and at jumps of curvature. Speed is the largest
-/// that keeps speed, turn rate, acceleration and turn acceleration between all samples: one forward and one
-/// backward pass over v^2 (after Bobrow, Dubowsky and Gibson, Int. J. Robotics Research 1985, with the turn
-/// acceleration split conservatively: |k'| v^2 + |k| |a| <= limit). O(samples).
+/// Legs end to end, each starting where the one before ended. Equal steps within a leg, joints kept, divided
+/// where the robot turns tightly; the robot stands at the start, the end, at turns on the spot and at jumps
+/// of curvature. Speed is the largest that keeps speed, turn rate, acceleration and turn acceleration between
+/// all samples: one forward and one backward pass over v^2 (after Bobrow, Dubowsky and Gibson, Int. J.
+/// Robotics Research 1985, with the turn acceleration split conservatively: |k'| v^2 + |k| |a| <= limit).
+/// O(samples).
 std::vector<Sample> timed(const std::vector<Leg>& legs, const std::vector<Stroke>& strokes,
                           const Robot& robot, const Options& options = {});
 

@@ -1,6 +1,6 @@
 #pragma once
-// Values of a single stage <-> the texts its stage command reads and writes (docs/stage-formats.md): a tour instance, a polygon to
-// fill, pairs of poses, a rake path. The plan's own texts are in result/formats.
+// Values of a single stage <-> the texts its stage command reads and writes (docs/stage-formats.md): a tour
+// instance, a polygon to fill, pairs of poses, a rake path. The plan's own texts are in result/formats.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,30 +14,34 @@
 
 namespace strandline::stages {
 
-// ---- tour: one JSON object in, a bare JSON array out ---------------------------------------------------------
+// ---- tour: one JSON object in, a bare JSON array out
+// ---------------------------------------------------------
 struct Instance {
     tour::Problem problem;
-    Warnings warnings;                       ///< unknown keys
+    Warnings warnings;  ///< unknown keys
 };
 Outcome<Instance> read_instance(std::string_view text, const std::string& place);
 std::string write_solution(const tour::Tour& tour);
 
-// ---- fill: one JSON object in, the same object with `strokes` out ---------------------------------------------
+// ---- fill: one JSON object in, the same object with `strokes` out
+// ---------------------------------------------
 struct FillTask {
-    Regions regions;                         ///< the polygon, repaired even-odd
+    Regions regions;  ///< the polygon, repaired even-odd
     std::optional<double> width;
-    std::string source;                      ///< the input text: written back with strokes added
+    std::string source;  ///< the input text: written back with strokes added
     Warnings warnings;
 };
 Outcome<FillTask> read_polygon(std::string_view text, const std::string& place);
-/// Strokes flattened, rake-up moves between them written out with "down": false, along `ways` (as fill::Fill has them; may be shorter).
-std::string write_strokes(const FillTask& task, double width, const std::vector<Stroke>& strokes, const std::vector<Polyline>& ways,
-                          double tolerance);
+/// Strokes flattened, rake-up moves between them written out with "down": false, along `ways` (as fill::Fill
+/// has them; may be shorter).
+std::string write_strokes(const FillTask& task, double width, const std::vector<Stroke>& strokes,
+                          const std::vector<Polyline>& ways, double tolerance);
 
-// ---- connect: one JSON object a line in, the same object with R, sigma and samples out ------------------------
+// ---- connect: one JSON object a line in, the same object with R, sigma and samples out
+// ------------------------
 struct PairDefaults {
     double radius = 0.5;
-    std::optional<double> sharpness;         ///< absent: 2.5 / R^2
+    std::optional<double> sharpness;  ///< absent: 2.5 / R^2
 };
 struct Pair {
     CurvatureState from, to;
@@ -48,12 +52,15 @@ struct Pair {
 };
 /// Error.place holds the line number.
 Outcome<Pair> read_pair(std::string_view line, int number, const PairDefaults& defaults);
-/// Equal steps of at most 0.01 R, at least 9 samples, 9 decimals. `failure`: reason, when the obstacles could not be kept clear of.
-std::string write_curve(const Pair& pair, const connect::Connection& connection, const std::optional<std::string>& failure);
+/// Equal steps of at most 0.01 R, at least 9 samples, 9 decimals. `failure`: reason, when the obstacles could
+/// not be kept clear of.
+std::string write_curve(const Pair& pair, const connect::Connection& connection,
+                        const std::optional<std::string>& failure);
 /// Whether the curve comes nearer than the clearance to any obstacle.
 bool hits_obstacles(const Pair& pair, const Curve& curve);
 
-// ---- convert: CSV in, CSV out, one row a row ------------------------------------------------------------------
+// ---- convert: CSV in, CSV out, one row a row
+// ------------------------------------------------------------------
 struct RakeRows {
     struct Row {
         Point at;
@@ -71,9 +78,10 @@ struct RobotRow {
 };
 struct Conversion {
     std::vector<std::vector<RobotRow>> strokes;
-    Warnings undrivable;                     ///< spans the robot cannot follow, by row
+    Warnings undrivable;  ///< spans the robot cannot follow, by row
 };
-/// A smooth curve is laid through each stroke's points, the backward pass run on it, the states read off at the points.
+/// A smooth curve is laid through each stroke's points, the backward pass run on it, the states read off at
+/// the points.
 Conversion converted(const RakeRows& rows, const Robot& robot);
 std::string write_robot_csv(const Conversion& conversion);
 
