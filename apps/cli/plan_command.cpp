@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <future>
 
 #include "arguments.hpp"
 #include "commands.hpp"
@@ -136,13 +137,18 @@ int plan(const PlanArguments& arguments, const Common& common) {
         return complain(error), bad_input;
     }
     made->program = "strandline " STRANDLINE_VERSION;
+    // A long plan takes as long to prove as to write: both only read it, so they go side by side. Where
+    // nobody asks for the report, it is never made.
+    const bool proof_wanted = !common.quiet || arguments.strict;
+    std::future<check::Report> proof = std::async(proof_wanted ? std::launch::async : std::launch::deferred,
+                                                  [&made] { return check::prove(*made); });
     if (const auto done = write_output(arguments.output, formats::write_plan(*made)); !done)
         return complain(done.error()), bad_input;
 
     warn(made->warnings, common.quiet);
     for (const std::string& idle : made->idle_edits)
         if (!common.quiet) fmt::print(stderr, "warning: {}\n", idle);
-    const check::Report report = check::prove(*made);
+    const check::Report report = proof_wanted ? proof.get() : check::Report{};
     if (common.json)
         fmt::print(arguments.output == "-" ? stderr : stdout, "{}\n", formats::write_figures(*made));
     else if (!common.quiet)

@@ -166,6 +166,22 @@ TEST(Drive, ACircleIsDrawnInOneLeg) {
     EXPECT_EQ(result.exact + result.loops + result.rounded, 0);
 }
 
+TEST(Drive, AFillIsLiftedWhereTheRakeIsLostAndALineIsDrawnOn) {
+    Stroke tight = along({{{2, 3}, 0}, {{2, 0, 0}, {0.1, 20, 0}, {2, 0, 0}}});
+    const drive::Drive line = drive::drive(tight, 0, 0, false, beachbot(), {});
+    EXPECT_EQ(count(line, Motion::draw), 1);
+    EXPECT_GT(worst_rake_error(line, beachbot(), tight), 1e-3);
+
+    tight.fill = true;
+    const drive::Drive fill = drive::drive(tight, 0, 0, false, beachbot(), {});
+    EXPECT_EQ(count(fill, Motion::draw), 2);
+    EXPECT_EQ(count(fill, Motion::lead), 1);
+    EXPECT_LT(worst_rake_error(fill, beachbot(), tight), 1.01e-3)
+        << "lowered within a millimetre of its path";
+    ASSERT_EQ(fill.undrivable.size(), 1u);
+    EXPECT_NEAR(expect_drivable(fill, beachbot()), length(tight) - fill.undrivable.front().length, 0.02);
+}
+
 TEST(Drive, WhatTheRakeCannotFollowIsListedByPlace) {
     const Stroke tight = along({{{2, 3}, 0}, {{2, 0, 0}, {0.1, 20, 0}, {2, 0, 0}}});
     const drive::Drive result = drive::drive(tight, 0, 0, false, beachbot(), {});

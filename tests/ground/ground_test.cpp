@@ -101,22 +101,27 @@ TEST(Ground, TwoHalvesOfABoxShareNoCellAndMissNone) {
     }));
 }
 
+Polygon swept(Point a0, Point b0, Point a1, Point b1) {
+    const Bar bar = swept_bar(a0, b0, a1, b1);
+    return {bar.outline().begin(), bar.outline().end()};
+}
+
 TEST(Ground, ASweptBarIsTheHullOfItsEnds) {
-    const Polygon box = swept_bar({0, 1}, {0, -1}, {0.5, 1}, {0.5, -1});
+    const Polygon box = swept({0, 1}, {0, -1}, {0.5, 1}, {0.5, -1});
     EXPECT_EQ(box.size(), 4u);
     EXPECT_DOUBLE_EQ(signed_area(box), 1);
     // Turning about one end: a triangle.
-    const Polygon fan = swept_bar({0, 0}, {1, 0}, {0, 0}, {0, 1});
+    const Polygon fan = swept({0, 0}, {1, 0}, {0, 0}, {0, 1});
     EXPECT_EQ(fan.size(), 3u);
     EXPECT_DOUBLE_EQ(signed_area(fan), 0.5);
     // Along itself: nothing is swept.
-    EXPECT_DOUBLE_EQ(area(swept_bar({0, 0}, {1, 0}, {1, 0}, {2, 0})), 0);
+    EXPECT_DOUBLE_EQ(area(swept({0, 0}, {1, 0}, {1, 0}, {2, 0})), 0);
 }
 
 TEST(Ground, ASweptBarIsCounterClockwiseAndHoldsItsFourEnds) {
     EXPECT_TRUE(rc::check("hull", [] {
         const Point a = any_point(), b = any_point(), c = any_point(), d = any_point();
-        const Polygon hull = swept_bar(a, b, c, d);
+        const Polygon hull = swept(a, b, c, d);
         if (signed_area(hull) < 0) return false;
         for (Point p : {a, b, c, d})
             for (std::size_t k = 0; k < hull.size(); ++k)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace strandline {
 namespace {
@@ -26,6 +27,10 @@ int row_of(std::uint64_t key) { return column_of(key >> 32); }
 std::size_t place_in_tile(int i, int j) {
     constexpr int mask = Ground::tile_size - 1;
     return static_cast<std::size_t>((j & mask) * Ground::tile_size + (i & mask));
+}
+/// The first cell whose centre is at or beyond a coordinate: ceil(x / cell - 1/2).
+int first_from(const Ground& ground, double coordinate) {
+    return -ground.index(ground.cell_size() / 2 - coordinate);
 }
 
 }  // namespace
@@ -70,50 +75,49 @@ void Ground::visit(const std::function<void(int, int, const Cell&)>& what) const
     }
 }
 
-void for_cells_in(const Ground& ground, const Polygon& convex, const std::function<void(int, int)>& what) {
-    if (convex.size() < 3) return;
+CellRun rows_in(const Ground& ground, std::span<const Point> convex) {
+    if (convex.size() < 3) return {0, 0};
     double low = convex.front().y, high = low;
     for (Point p : convex) {
         low = std::min(low, p.y);
         high = std::max(high, p.y);
     }
-    const double cell = ground.cell_size();
-    // The first cell whose centre is at or beyond a coordinate.
-    // The first cell whose centre is at or beyond a coordinate: ceil(x / cell - 1/2).
-    const auto first_from = [&](double coordinate) { return -ground.index(cell / 2 - coordinate); };
-    for (int j = first_from(low), end = first_from(high); j < end; ++j) {
-        const double y = (j + 0.5) * cell;
-        double left = std::numeric_limits<double>::infinity(), right = -left;
-        for (std::size_t k = 0; k < convex.size(); ++k) {
-            // Always from the lower end, so that neighbours that share the edge compute the same crossing.
-            Point a = convex[k], b = convex[k + 1 == convex.size() ? 0 : k + 1];
-            if (a.y > b.y) std::swap(a, b);
-            if (y < a.y || y >= b.y) continue;
-            const double x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
-            left = std::min(left, x);
-            right = std::max(right, x);
-        }
-        if (left > right) continue;
-        for (int i = first_from(left), stop = first_from(right); i < stop; ++i) what(i, j);
-    }
+    return {first_from(ground, low), first_from(ground, high)};
 }
 
-Polygon swept_bar(Point a0, Point b0, Point a1, Point b1) {
+CellRun row_in(const Ground& ground, std::span<const Point> convex, int j) {
+    const double y = (j + 0.5) * ground.cell_size();
+    double left = std::numeric_limits<double>::infinity(), right = -left;
+    for (std::size_t k = 0; k < convex.size(); ++k) {
+        // Always from the lower end, so that neighbours that share the edge compute the same crossing.
+        Point a = convex[k], b = convex[k + 1 == convex.size() ? 0 : k + 1];
+        if (a.y > b.y) std::swap(a, b);
+        if (y < a.y || y >= b.y) continue;
+        const double x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
+        left = std::min(left, x);
+        right = std::max(right, x);
+    }
+    if (left > right) return {0, 0};
+    return {first_from(ground, left), first_from(ground, right)};
+}
+
+Bar swept_bar(Point a0, Point b0, Point a1, Point b1) {
     // Monotone chain (Andrew 1979) on four points.
     std::array<Point, 4> points{a0, b0, a1, b1};
     std::ranges::sort(points, [](Point p, Point q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
-    Polygon hull;
-    hull.reserve(5);
+    std::array<Point, 8> hull;  // four there, three back
+    std::size_t count = 0;
     const auto add = [&](Point p, std::size_t kept) {
-        while (hull.size() >= kept + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
-            hull.pop_back();
-        hull.push_back(p);
+        while (count >= kept + 2 && cross(hull[count - 1] - hull[count - 2], p - hull[count - 1]) <= 0)
+            --count;
+        hull[count++] = p;
     };
     for (Point p : points) add(p, 0);
-    const std::size_t lower = hull.size() - 1;
+    const std::size_t lower = count - 1;
     for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, lower);
-    hull.pop_back();
-    return hull;
+    Bar bar{.corners = {}, .count = std::min(count - 1, bar.corners.size())};
+    std::copy_n(hull.begin(), bar.count, bar.corners.begin());
+    return bar;
 }
 
 }  // namespace strandline

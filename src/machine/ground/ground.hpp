@@ -1,9 +1,11 @@
 #pragma once
 // The ground as a tiled raster: for each cell when it was raked and when it was rolled over. Tiles are made
 // when first touched, so memory follows the drawing, not the field.
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -40,11 +42,34 @@ class Ground {
     Cell* latest_ = nullptr;
 };
 
-/// Calls with each cell whose centre lies in the convex polygon, by row, then column. Polygons that share an
-/// edge share no cell: a centre on the edge belongs to the one above it, or to its right. O(rows x corners +
-/// cells).
-void for_cells_in(const Ground& ground, const Polygon& convex, const std::function<void(int, int)>& what);
-/// The bar that sweeps from segment a0-b0 to a1-b1: its convex hull, as counter-clockwise corners.
-Polygon swept_bar(Point a0, Point b0, Point a1, Point b1);
+/// Cells `first` to before `end` of a row or a column.
+struct CellRun {
+    int first, end;
+};
+/// The rows whose centre lines cut the convex polygon, and the cells of row j whose centres lie in it.
+CellRun rows_in(const Ground& ground, std::span<const Point> convex);
+CellRun row_in(const Ground& ground, std::span<const Point> convex, int j);
+
+/// Calls what(i, j) with each cell whose centre lies in the convex polygon, by row, then column. Polygons
+/// that share an edge share no cell: a centre on the edge belongs to the one above it, or to its right.
+/// O(rows x corners + cells).
+template <class What>
+void for_cells_in(const Ground& ground, std::span<const Point> convex, What what) {
+    const CellRun rows = rows_in(ground, convex);
+    for (int j = rows.first; j < rows.end; ++j) {
+        const CellRun row = row_in(ground, convex, j);
+        for (int i = row.first; i < row.end; ++i) what(i, j);
+    }
+}
+
+/// A convex polygon of at most four corners, counter-clockwise. It lives on the stack: there is one for each
+/// wheel and each step of a drive.
+struct Bar {
+    std::array<Point, 4> corners;
+    std::size_t count = 0;
+    std::span<const Point> outline() const { return {corners.data(), count}; }
+};
+/// What a bar sweeps from segment a0-b0 to a1-b1: their convex hull.
+Bar swept_bar(Point a0, Point b0, Point a1, Point b1);
 
 }  // namespace strandline

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "path/drive/moves.hpp"
@@ -73,13 +74,39 @@ double whole_turns(Pose before, Pose next) {
     return 2 * pi * std::round((before.heading - next.heading) / (2 * pi));
 }
 
+/// A part of a path that is driven in one motion.
+struct Chunk {
+    Motion motion;
+    RobotPath path;
+};
+/// The path cut where the rake leaves it (draw) and is back (lead), in order; neighbours share their state.
+std::vector<Chunk> lifted_where_lost(Followed&& what) {
+    std::vector<Chunk> chunks{{Motion::draw, {}}};
+    auto span = what.undrivable.begin();
+    for (std::size_t i = 0; i < what.path.size(); ++i) {
+        const double s = what.rake_s[i];
+        while (span != what.undrivable.end() && s > span->to) ++span;
+        const bool lost = span != what.undrivable.end() && s >= span->from && s < span->to;
+        chunks.back().path.push_back(what.path[i]);
+        const Motion motion = lost ? Motion::lead : Motion::draw;
+        if (motion == chunks.back().motion) continue;
+        if (chunks.back().path.size() > 1)
+            chunks.push_back({motion, {what.path[i]}});
+        else
+            chunks.back().motion = motion;
+    }
+    if (chunks.size() > 1 && chunks.back().path.size() < 2) chunks.pop_back();
+    return chunks;
+}
+
 /// The drive while it is built, from its last leg to its first.
 struct Builder {
     const Robot& robot;
     const Options& options;
     int stroke;
+    bool fill;  ///< a fill is lifted where the rake is lost: it would rake outside; a line is drawn on
     Drive drive = {};
-    std::vector<RobotPath> chunks = {};  ///< of the draw leg being built, last chunk first
+    std::vector<Chunk> chunks = {};  ///< of the leg being built, last chunk first
 
     Followed followed(const Curve& piece, double end_delta) const {
         return robot_path_for({piece}, robot,
@@ -104,26 +131,35 @@ struct Builder {
         for (const Followed::Span& span : what.undrivable)
             drive.undrivable.push_back(
                 {point_at(piece, (span.from + span.to) / 2).pose.at, span.to - span.from});
-        chunks.push_back(std::move(what.path));
+        if (!fill || what.undrivable.empty()) {
+            chunks.push_back({Motion::draw, std::move(what.path)});
+            return;
+        }
+        std::vector<Chunk> parts = lifted_where_lost(std::move(what));
+        std::move(parts.rbegin(), parts.rend(), std::back_inserter(chunks));
     }
-    /// The chunks become one leg.
+    /// The chunks become one leg, or one for each row of chunks of the same motion.
     void finish_leg() {
-        Leg leg{.motion = Motion::draw};
-        for (auto chunk = chunks.rbegin(); chunk != chunks.rend(); ++chunk) {
-            const double before = leg.path.empty() ? 0 : leg.path.back().s;
-            const double turns =
-                leg.path.empty() ? 0 : whole_turns(leg.path.back().pose, chunk->front().pose);
-            // chunks share their joint; with the rake at the turning point curvature may jump there
-            const bool one =
-                !leg.path.empty() && std::abs(leg.path.back().curvature - chunk->front().curvature) < smooth;
-            for (std::size_t i = one ? 1 : 0; i < chunk->size(); ++i) {
-                leg.path.push_back((*chunk)[i]);
-                leg.path.back().s += before;
-                leg.path.back().pose.heading += turns;
-            }
+        for (auto chunk = chunks.begin(); chunk != chunks.end();) {
+            const auto end = std::find_if(chunk, chunks.end(),
+                                          [&](const Chunk& other) { return other.motion != chunk->motion; });
+            Leg leg{.motion = chunk->motion};
+            for (auto part = end; part != chunk;) add_to(leg.path, (--part)->path);
+            push(std::move(leg));
+            chunk = end;
         }
         chunks.clear();
-        push(std::move(leg));
+    }
+    static void add_to(RobotPath& path, const RobotPath& chunk) {
+        const double before = (path.empty() ? 0 : path.back().s) - chunk.front().s;
+        const double turns = path.empty() ? 0 : whole_turns(path.back().pose, chunk.front().pose);
+        // chunks share their joint; with the rake at the turning point curvature may jump there
+        const bool one = !path.empty() && std::abs(path.back().curvature - chunk.front().curvature) < smooth;
+        for (std::size_t i = one ? 1 : 0; i < chunk.size(); ++i) {
+            path.push_back(chunk[i]);
+            path.back().s += before;
+            path.back().pose.heading += turns;
+        }
     }
     const RobotState& first_state() const { return drive.legs.back().path.front(); }
 };
@@ -147,7 +183,7 @@ void unwind(std::vector<Leg>& legs) {
 Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, const Robot& robot,
             const Options& options) {
     const std::vector<Curve> edges = edges_of(rake_path_from(stroke, node, reversed));
-    Builder build{robot, options, stroke_index};
+    Builder build{robot, options, stroke_index, stroke.fill};
     if (edges.empty()) return {};
 
     double end_delta = leaving_delta(robot, edges.back());

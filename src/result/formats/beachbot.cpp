@@ -40,7 +40,7 @@ class PairWriter {
         line(robot_, robot, column);
         line(rake_, rake, column);
     }
-    BeachbotPair done() const { return {fmt::to_string(robot_), fmt::to_string(rake_)}; }
+    BeachbotPair done() { return {std::move(robot_), std::move(rake_)}; }
 
   private:
     static void line(Text& text, Point at, unsigned column) {

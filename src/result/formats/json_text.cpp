@@ -1,11 +1,12 @@
 #include "result/formats/json_text.hpp"
 
-#include <fmt/compile.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 namespace strandline::formats {
 namespace {
@@ -32,7 +33,7 @@ std::size_t utf8_length(std::string_view text) {
 
 }  // namespace
 
-void add(Text& text, std::string_view piece) { text.append(piece.data(), piece.data() + piece.size()); }
+void add(Text& text, std::string_view piece) { text.append(piece); }
 
 void add_number(Text& text, double value) {
     if (!std::isfinite(value))
@@ -46,7 +47,8 @@ void add_number(Text& text, double value) {
 }
 
 void add_number(Text& text, long long value) {
-    fmt::format_to(fmt::appender(text), FMT_COMPILE("{}"), value);
+    char digits[24];  // 20 are the most
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }
 
 void add_string(Text& text, std::string_view value) {
@@ -60,7 +62,7 @@ void add_string(Text& text, std::string_view value) {
             text.push_back('\\');
             text.push_back(c);
         } else if (n == 1 && static_cast<unsigned char>(c) < 0x20)
-            fmt::format_to(fmt::appender(text), "\\u{:04x}", static_cast<unsigned>(c));
+            fmt::format_to(std::back_inserter(text), "\\u{:04x}", static_cast<unsigned>(c));
         else
             add(text, value.substr(0, n));
         value.remove_prefix(std::max<std::size_t>(n, 1));
@@ -72,7 +74,7 @@ void add_fixed(Text& text, double value, int decimals) {
     constexpr long long powers[] = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000};
     const long long power = powers[decimals];
     if (!(std::abs(value) < 1e9)) {  // not finite, or beyond exact whole numbers of the last place
-        fmt::format_to(fmt::appender(text), "{:.{}f}", value, decimals);
+        fmt::format_to(std::back_inserter(text), "{:.{}f}", value, decimals);
         return;
     }
     // In whole numbers: five times as fast as printing a double, and a rounded zero has no sign.

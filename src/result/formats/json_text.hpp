@@ -1,14 +1,12 @@
 #pragma once
 // JSON as text, piece by piece: what the writers of this room share.
-#include <fmt/format.h>
-
 #include <string>
 #include <string_view>
 
 namespace strandline::formats {
 
-/// Text that grows; kept as one buffer because a plan has some 100,000 numbers.
-using Text = fmt::memory_buffer;
+/// Text that grows: a plan has some 100,000 numbers, so it is handed on by moving only.
+using Text = std::string;
 
 void add(Text& text, std::string_view piece);
 /// Shortest digits that read back to the same double; -0.0 keeps its sign; what is not finite becomes null,

@@ -185,7 +185,7 @@ std::string write_svg(const Plan& plan) {
         out.text(item.text_at, out.em(0.95), item.text);
     }
     out.put("</g>\n</svg>\n");
-    return fmt::to_string(text);
+    return text;
 }
 
 }  // namespace strandline::formats

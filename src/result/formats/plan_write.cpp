@@ -241,7 +241,7 @@ class PlanWriter {
 std::string write_plan(const Plan& plan) {
     Text text;
     PlanWriter(text).put(plan);
-    return fmt::to_string(text);
+    return text;
 }
 
 }  // namespace strandline::formats

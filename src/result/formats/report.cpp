@@ -76,7 +76,7 @@ std::string write_report(const check::Report& report) {
     });
     all.close();
     add(text, "\n");
-    return fmt::to_string(text);
+    return text;
 }
 
 }  // namespace strandline::formats

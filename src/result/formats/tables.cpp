@@ -68,7 +68,7 @@ std::string write_csv(const Plan& plan) {
         add_number(text, static_cast<long long>(sample.stroke));
         add(text, "\n");
     }
-    return fmt::to_string(text);
+    return text;
 }
 
 std::string write_figures(const Plan& plan) {
@@ -87,7 +87,7 @@ std::string write_figures(const Plan& plan) {
     line("idle_edits", static_cast<int>(plan.idle_edits.size()));
     line("warnings", plan.warnings);
     add(text, "\n}\n");
-    return fmt::to_string(text);
+    return text;
 }
 
 }  // namespace strandline::formats

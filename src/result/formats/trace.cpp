@@ -115,7 +115,7 @@ std::string write_trace(const Plan& plan, bool robot_path) {
         before = ",\n";
     }
     add(text, "]\n}\n");
-    return fmt::to_string(text);
+    return text;
 }
 
 }  // namespace strandline::formats

@@ -23,31 +23,33 @@ constexpr int most_pins = 32;
 /// Samples between reports of progress.
 constexpr std::size_t report_every = 2048;
 
-/// Neighbouring pins that are down, as the bar they make: lateral positions in the body frame.
-struct Bar {
+/// Neighbouring pins that are down: lateral positions in the body frame.
+struct Comb {
     double left, right;
 };
-std::vector<Bar> bars_of(const Robot& robot, unsigned mask) {
-    std::vector<Bar> bars;
+std::vector<Comb> combs_of(const Robot& robot, unsigned mask) {
+    std::vector<Comb> combs;
     const double edge = robot.pins * robot.pin_pitch / 2;
     for (int pin = 0; pin < std::min(robot.pins, most_pins); ++pin) {
         if ((mask >> (robot.pins - 1 - pin) & 1U) == 0) continue;  // the highest bit is the leftmost pin
         const double left = edge - pin * robot.pin_pitch, right = left - robot.pin_pitch;
-        if (!bars.empty() && bars.back().right <= left + robot.pin_pitch / 2)
-            bars.back().right = right;
+        if (!combs.empty() && combs.back().right <= left + robot.pin_pitch / 2)
+            combs.back().right = right;
         else
-            bars.push_back({left, right});
+            combs.push_back({left, right});
     }
-    return bars;
+    return combs;
 }
 
-Point beside(Point centre, double heading, double lateral) {
-    return centre + lateral * left_normal(unit(heading));
-}
-Point in_field(Pose pose, Point body) {
+/// The robot's axes at a sample, in the field's frame.
+struct Axes {
+    Point at, forward, left;
+};
+Axes axes_of(Pose pose) {
     const Point forward = unit(pose.heading);
-    return pose.at + body.x * forward + body.y * left_normal(forward);
+    return {pose.at, forward, left_normal(forward)};
 }
+Point in_field(const Axes& axes, Point body) { return axes.at + body.x * axes.forward + body.y * axes.left; }
 
 /// Gathers what happens to finished ground, events that follow closely as one.
 class Events {
@@ -150,13 +152,13 @@ class Layer {
     void roll(const Sample& a, const Sample& b) {
         const int drawing = a.motion == Motion::draw ? element_of(a) : -1;
         const float now = static_cast<float>(driven_);
+        const Axes from = axes_of(a.pose), to = axes_of(b.pose);
         for (const Wheel& wheel : plan_.robot.wheels) {
-            const Point at0 = in_field(a.pose, wheel.at), at1 = in_field(b.pose, wheel.at);
-            const double half = wheel.width / 2;
-            const Polygon track =
-                swept_bar(beside(at0, a.pose.heading, half), beside(at0, a.pose.heading, -half),
-                          beside(at1, b.pose.heading, half), beside(at1, b.pose.heading, -half));
-            for_cells_in(ground_, track, [&](int i, int j) {
+            const double left = wheel.at.y + wheel.width / 2, right = wheel.at.y - wheel.width / 2;
+            const Bar track =
+                swept_bar(in_field(from, {wheel.at.x, left}), in_field(from, {wheel.at.x, right}),
+                          in_field(to, {wheel.at.x, left}), in_field(to, {wheel.at.x, right}));
+            for_cells_in(ground_, track.outline(), [&](int i, int j) {
                 Cell& cell = ground_.at(i, j);
                 const bool new_pass = cell.last_rolled == Cell::never ||
                                       now - cell.last_rolled > options_.pass_gap ||
@@ -190,11 +192,11 @@ class Layer {
         const bool line = is_line(element);
         if (line && a.rake != b.rake) lines_.add({a.rake, b.rake, element});
         const float now = static_cast<float>(driven_);
-        for (const Bar& bar : bars_of(plan_.robot, a.mask)) {
-            const Polygon swath = swept_bar(
-                beside(a.rake, a.pose.heading, bar.left), beside(a.rake, a.pose.heading, bar.right),
-                beside(b.rake, b.pose.heading, bar.left), beside(b.rake, b.pose.heading, bar.right));
-            for_cells_in(ground_, swath, [&](int i, int j) {
+        const Point left0 = left_normal(unit(a.pose.heading)), left1 = left_normal(unit(b.pose.heading));
+        for (const Comb& comb : combs_of(plan_.robot, a.mask)) {
+            const Bar swath = swept_bar(a.rake + comb.left * left0, a.rake + comb.right * left0,
+                                        b.rake + comb.left * left1, b.rake + comb.right * left1);
+            for_cells_in(ground_, swath.outline(), [&](int i, int j) {
                 Cell& cell = ground_.at(i, j);
                 if (cell.passes == 0) {
                     cell.first_raked = now;
