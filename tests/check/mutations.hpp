@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Mutation {
     std::function<Plan(Plan)> apply;
     bool listed = false;  ///< true: it appears among the blemishes instead
 };
+/// In a test's name; else it would be the bytes of the struct, another name each run.
+inline void PrintTo(const Mutation& mutation, std::ostream* out) { *out << mutation.name; }
 
 using Samples = std::vector<Sample>;
 

@@ -63,6 +63,19 @@ TEST(Tour, TheSenseDecidesReversedAndNotTheLength) {
     for (const Step& step : tour->steps) EXPECT_EQ(step.reversed, step.element == 0);
 }
 
+TEST(Tour, OfADriveAndItsReverseTheOneFromTheEarlierElementIsTaken) {
+    const auto at = [](double x) { return line({x, 0}, {x + 1, 0}); };
+    for (const bool mirrored : {false, true}) {
+        Problem problem;
+        for (const double x : {5.0, 0.0, 10.0}) problem.elements.push_back(at(mirrored ? 10 - x : x));
+        const auto tour = solve(problem);
+        ASSERT_TRUE(tour);
+        EXPECT_EQ(tour->steps.front().element, 1) << "not 2";
+        EXPECT_EQ(tour->steps.front().reversed, mirrored);
+        EXPECT_DOUBLE_EQ(tour->length, 8);
+    }
+}
+
 TEST(Tour, AChainOfLinksStaysTogether) {
     Problem problem;
     problem.elements = {line({0, 0}, {1, 0}), line({2, 0}, {3, 0}), line({50, 0}, {51, 0}),
