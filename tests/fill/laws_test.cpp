@@ -83,8 +83,7 @@ TEST(FillLaws, StrokesAreFillStrokesWithNodesAtTheirEnds) {
             ASSERT_EQ(stroke.nodes.size(), 2u);
             EXPECT_EQ(stroke.nodes[0].at, stroke.rake_path.front().start.at);
             EXPECT_NEAR(distance(stroke.nodes[1].at, end_pose(stroke.rake_path.back()).at), 0, 1e-9);
-            double length_of_all = 0;
-            for (const Curve& curve : stroke.rake_path) length_of_all += length(curve);
+            const double length_of_all = length(stroke.rake_path);
             EXPECT_NEAR(stroke.nodes[1].s, length_of_all, 1e-9);
             swept_area += length_of_all * 0.4;
             for (std::size_t i = 1; i < stroke.rake_path.size(); ++i)

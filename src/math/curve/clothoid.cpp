@@ -95,6 +95,12 @@ double length(const Curve& curve) {
     return sum;
 }
 
+double length(const std::vector<Curve>& curves) {
+    double sum = 0;
+    for (const Curve& curve : curves) sum += length(curve);
+    return sum;
+}
+
 double max_curvature(const Curve& curve) {
     double most = 0;
     for (const Clothoid& piece : curve.pieces)

@@ -92,6 +92,8 @@ struct CurvePoint {
 Pose advanced(Pose start, const Clothoid& piece, double s);
 Pose end_pose(const Curve& curve);
 double length(const Curve& curve);
+/// Of all of them together.
+double length(const std::vector<Curve>& curves);
 double max_curvature(const Curve& curve);
 double max_sharpness(const Curve& curve);
 /// Largest jump of curvature between neighbouring pieces.

@@ -28,7 +28,6 @@ struct Stroke {
         {};  ///< ascending s; open strokes: both ends at least; closed: the seam not repeated
     bool operator==(const Stroke&) const = default;
 };
-double length(const Stroke& stroke);
 
 /// Strokes that belong together and keep their order: a single line, or the fill of a region.
 struct StrokeGroup {
