@@ -96,14 +96,12 @@ double length(const Curve& curve);
 double length(const std::vector<Curve>& curves);
 double max_curvature(const Curve& curve);
 double max_sharpness(const Curve& curve);
-/// Largest jump of curvature between neighbouring pieces.
+/// Largest jump of curvature between neighbouring pieces: 0 is G2. What planned curves are tested with.
 double max_curvature_jump(const Curve& curve);
 /// State at arc length s, clamped to the ends. O(pieces).
 CurvePoint point_at(const Curve& curve, double s);
 /// Both ends and equal steps of at most `step` between: at least `least` points. O(points + pieces).
 std::vector<CurvePoint> sampled(const Curve& curve, double step, int least = 2);
-/// Samples at equal steps within each piece, of at most `step`, every joint kept.
-std::vector<CurvePoint> sampled_by_piece(const Curve& curve, double step);
 /// The same points backwards: the robot turned about.
 Curve reversed(const Curve& curve);
 /// From arc length `from` to `to` (clamped).
@@ -111,8 +109,6 @@ Curve slice(const Curve& curve, double from, double to);
 /// `second` moved to the end of `first` is not checked: the caller says they meet.
 Curve joined(Curve first, const Curve& second);
 Curve straight(Pose start, double length);
-/// Integral of curvature^2, 1/m.
-double bending_energy(const Curve& curve);
 
 /// One clothoid from pose to pose (G1 Hermite): Bertolazzi and Frego, "G1 fitting with clothoids", Math.
 /// Meth. Appl. Sci. 2015, section 3 (Newton on one unknown from their guess). Position error below 1e-10 x
