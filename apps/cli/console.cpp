@@ -111,7 +111,10 @@ bool same_file(const std::string& a, const std::string& b) {
     return std::filesystem::equivalent(a, b, code);
 }
 
-void complain(const Error& error) { fmt::print(stderr, "strandline: {}\n", sentence(error)); }
+int complain(const Error& error, Exit exit) {
+    fmt::print(stderr, "strandline: {}\n", sentence(error));
+    return exit;
+}
 
 void warn(const Warnings& warnings, bool quiet) {
     if (quiet) return;
