@@ -11,7 +11,7 @@ int convert(const ConvertArguments& arguments, const Common& common) {
     const auto text = read_input(arguments.input);
     if (!text) return complain(text.error(), bad_input);
     const auto rows =
-        stages::read_rake_csv(*text, arguments.input == "-" ? "stdin" : arguments.input);
+        stages::read_rake_csv(*text, arguments.input == "-" ? "stdin" : arguments.input, *robot);
     if (!rows) return complain(rows.error(), bad_input);
     const stages::Conversion conversion = stages::converted(*rows, *robot);
     if (const auto written = write_output(arguments.output, stages::write_robot_csv(conversion)); !written)

@@ -68,7 +68,8 @@ struct RakeRows {
     };
     std::vector<std::vector<Row>> strokes;
 };
-Outcome<RakeRows> read_rake_csv(std::string_view text, const std::string& place);
+/// A count of pins or their mask: more than all pins of the robot's mask is refused, as every wrong line.
+Outcome<RakeRows> read_rake_csv(std::string_view text, const std::string& place, const Robot& robot);
 /// One row of the output.
 struct RobotRow {
     Pose pose;
