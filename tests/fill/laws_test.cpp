@@ -2,16 +2,10 @@
 
 #include "fill/areas.hpp"
 
-namespace strandline {
+namespace strandline::fill {
 namespace {
 
-using fill::Fill;
-using fill::fill_region;
-using fill::Options;
-using fill::Partition;
-using fill::Style;
-
-Options with(Style style) { return {.style = style, .width = 0.4, .spacing = 0.4}; }
+using areas::with;
 
 TEST(FillLaws, NearlyAllIsRakedAndNothingOutside) {
     for (Style style : {Style::spiral, Style::zigzag})
@@ -39,7 +33,10 @@ TEST(FillLaws, AScaledAreaWithAScaledRakeIsFilledTheSame) {
             const Region large = shapes::moved({region}, {8, 0, 0, 8, 0, 0})[0];
             Options options = with(style);
             const Fill here = fill_region(region, 0, "area", options);
-            options.width *= 8, options.spacing *= 8, options.tolerance *= 8, options.min_area *= 64;
+            options.width *= 8;
+            options.spacing *= 8;
+            options.tolerance *= 8;
+            options.min_area *= 64;
             const Fill there = fill_region(large, 0, "area", options);
             EXPECT_EQ(here.strokes.size(), there.strokes.size());
             EXPECT_NEAR(here.swept / here.area, there.swept / there.area, 0.01);
@@ -112,4 +109,4 @@ TEST(FillLaws, RakeUpWaysStayInside) {
 }
 
 }  // namespace
-}  // namespace strandline
+}  // namespace strandline::fill
