@@ -10,7 +10,6 @@
 namespace strandline {
 
 // ---- exact paths
-// -------------------------------------------------------------------------------------------
 
 struct LineSegment {
     Point to;
@@ -55,7 +54,6 @@ double length(const Path& path);
 Box bounds(const Path& path);
 
 // ---- clothoid curves
-// ---------------------------------------------------------------------------------------
 
 /// Where something is and where it looks.
 struct Pose {
@@ -116,12 +114,11 @@ Curve straight(Pose start, double length);
 Curve hermite_clothoid(Pose from, Pose to);
 
 // ---- fitting
-// -----------------------------------------------------------------------------------------------
 
 struct FitOptions {
     double tolerance = 0.002;  ///< metres: largest distance between path and fit
-    double corner_angle =
-        0.02;  ///< radians: heading jumps above this stay corners; smaller ones are smoothed over
+    /// radians: heading jumps above this stay corners; smaller ones are smoothed over
+    double corner_angle = 0.02;
     /// radians: chains of straight lines that turn by no more than this at a vertex are smoothed over as well
     /// where the bulge stays within the tolerance (drawings that were flattened before). 0: off.
     double smooth_angle = 0;
@@ -133,7 +130,6 @@ struct FitOptions {
 std::vector<Curve> fitted(const Path& path, const FitOptions& options);
 
 // ---- curves between poses
-// ----------------------------------------------------------------------------------
 
 /// The shortest curve with |curvature| <= 1/radius: Dubins, Am. J. Math. 1957; words by Shkel and Lumelsky
 /// 2001. Curvature jumps. Never fails. About 0.5 us.
