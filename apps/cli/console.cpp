@@ -68,7 +68,7 @@ Outcome<Staged> staged(const std::string& path, std::string_view bytes) {
         return Staged{};
     }
     const std::string place = fs::exists(status) ? fs::canonical(path, code).string() : path;
-    const Staged file{place + ".part" + std::to_string(getpid()), place};
+    Staged file{place + ".part" + std::to_string(getpid()), place};
     if (const auto done = write_stream(file.temporary, path, bytes); !done) {
         std::remove(file.temporary.c_str());
         return tl::unexpected(done.error());

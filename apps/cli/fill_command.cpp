@@ -15,7 +15,7 @@ namespace {
 constexpr double width_per_tolerance = 200;  // less than that no sand shows
 
 Outcome<double> positive(const std::string& text, const std::string& option) {
-    const auto value = parse_length(text, option);
+    auto value = parse_length(text, option);
     if (value && !(*value > 0)) return fail(option, "must be above 0");
     return value;
 }

@@ -142,6 +142,8 @@ int finished(int code) {
 
 }  // namespace
 
+// What is not foreseen below ends the program, with its name on stderr:
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
     CLI::App app{"Strandline: a drawing becomes one drivable path for a drawing robot"};
     app.set_version_flag("--version", "strandline " STRANDLINE_VERSION);

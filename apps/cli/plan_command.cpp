@@ -51,7 +51,7 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
 
 /// Twice: the canvas that is wished for decides the defaults of all that is not.
 Outcome<Wishes> gathered(const PlanArguments& a) {
-    const auto first = gathered(a, Options{});
+    auto first = gathered(a, Options{});
     if (!first) return first;
     return gathered(a, defaults_for({first->options.canvas.width, first->options.canvas.height}));
 }
