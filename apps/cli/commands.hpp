@@ -43,7 +43,7 @@ struct RenderArguments {
 int render(const RenderArguments& arguments, const Common& common);
 
 int list_settings(const Common& common);
-/// Without a name: the built-in names; with one: its profile as TOML.
+/// Without a name: the built-in names; with one: its profile as TOML. As JSON: the robots themselves.
 int show_robot(const std::string& name, const Common& common);
 
 struct TourArguments {

@@ -15,11 +15,6 @@ namespace {
 const std::map<std::string, connect::Style> styles{{"bounded", connect::Style::bounded},
                                                    {"straight", connect::Style::straight}};
 
-int bad_option(const Error& error) {
-    complain(error);
-    return bad_call;
-}
-
 Outcome<stages::PairDefaults> defaults_of(const ConnectArguments& arguments) {
     stages::PairDefaults defaults;
     if (!arguments.radius.empty()) {
@@ -63,15 +58,16 @@ int connect(const ConnectArguments& arguments, const Common& common) {
     if (style == styles.end()) {
         std::string names;
         for (const auto& [name, _] : styles) names += (names.empty() ? "" : ", ") + name;
-        return bad_option(
-            {"--style", fmt::format("\"{}\" is not a style", arguments.style), "choose one of: " + names});
+        return complain(
+            {"--style", fmt::format("\"{}\" is not a style", arguments.style), "choose one of: " + names},
+            bad_call);
     }
     const auto defaults = defaults_of(arguments);
-    if (!defaults) return bad_option(defaults.error());
+    if (!defaults) return complain(defaults.error(), bad_call);
     const auto text = read_input(arguments.input);
-    if (!text) return complain(text.error()), bad_input;
+    if (!text) return complain(text.error(), bad_input);
     const auto pairs = read_pairs(*text, arguments.input, *defaults);
-    if (!pairs) return complain(pairs.error()), bad_input;
+    if (!pairs) return complain(pairs.error(), bad_input);
 
     std::string out;
     int blocked = 0;
@@ -86,7 +82,7 @@ int connect(const ConnectArguments& arguments, const Common& common) {
         out += '\n';
     }
     if (const auto written = write_output(arguments.output, out); !written)
-        return complain(written.error()), bad_input;
+        return complain(written.error(), bad_input);
     if (!common.quiet)
         fmt::print(stderr, "{} curves{}\n", pairs->size(),
                    blocked ? fmt::format(", {} of them come too near an obstacle", blocked) : "");

@@ -68,7 +68,7 @@ Outcome<Staged> staged(const std::string& path, std::string_view bytes) {
         return Staged{};
     }
     const std::string place = fs::exists(status) ? fs::canonical(path, code).string() : path;
-    const Staged file{place + ".part" + std::to_string(getpid()), place};
+    Staged file{place + ".part" + std::to_string(getpid()), place};
     if (const auto done = write_stream(file.temporary, path, bytes); !done) {
         std::remove(file.temporary.c_str());
         return tl::unexpected(done.error());
@@ -111,7 +111,10 @@ bool same_file(const std::string& a, const std::string& b) {
     return std::filesystem::equivalent(a, b, code);
 }
 
-void complain(const Error& error) { fmt::print(stderr, "strandline: {}\n", sentence(error)); }
+int complain(const Error& error, Exit exit) {
+    fmt::print(stderr, "strandline: {}\n", sentence(error));
+    return exit;
+}
 
 void warn(const Warnings& warnings, bool quiet) {
     if (quiet) return;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
+#include "commands.hpp"
 
 namespace strandline::cli {
 
@@ -19,8 +20,8 @@ Outcome<void> write_output(const std::string& path, std::string_view bytes);
 Outcome<void> write_outputs(const std::vector<std::pair<std::string, std::string_view>>& files);
 /// Whether two names mean one file that exists.
 bool same_file(const std::string& a, const std::string& b);
-/// "strandline: place: reason; remedy" on stderr.
-void complain(const Error& error);
+/// "strandline: place: reason; remedy" on stderr. Gives `exit` back: what the command returns.
+int complain(const Error& error, Exit exit);
 void warn(const Warnings& warnings, bool quiet);
 /// Draws a progress bar on stderr when that is a terminal; stops on Ctrl-C (first time: the best so far;
 /// second time: at once).

@@ -14,13 +14,8 @@ namespace {
 
 constexpr double width_per_tolerance = 200;  // less than that no sand shows
 
-int refuse(const Error& error, Exit exit) {
-    complain(error);
-    return exit;
-}
-
 Outcome<double> positive(const std::string& text, const std::string& option) {
-    const auto value = parse_length(text, option);
+    auto value = parse_length(text, option);
     if (value && !(*value > 0)) return fail(option, "must be above 0");
     return value;
 }
@@ -32,26 +27,26 @@ int fill(const FillArguments& arguments, const Common& common) {
     if (arguments.style == "zigzag")
         options.style = fill::Style::zigzag;
     else if (arguments.style == "rings")
-        return refuse({"--style rings", "comes with a later version",
-                       "use spiral: rings joined by short steps, or zigzag"},
-                      bad_call);
+        return complain({"--style rings", "comes with a later version",
+                         "use spiral: rings joined by short steps, or zigzag"},
+                        bad_call);
     else if (arguments.style != "spiral")
-        return refuse({"--style " + arguments.style, "is not a style", "use spiral or zigzag"}, bad_call);
+        return complain({"--style " + arguments.style, "is not a style", "use spiral or zigzag"}, bad_call);
 
     std::optional<double> width, spacing;
     if (!arguments.width.empty()) {
         const auto value = positive(arguments.width, "--width");
-        if (!value) return refuse(value.error(), bad_call);
+        if (!value) return complain(value.error(), bad_call);
         width = *value;
     }
     if (!arguments.spacing.empty()) {
         const auto value = positive(arguments.spacing, "--spacing");
-        if (!value) return refuse(value.error(), bad_call);
+        if (!value) return complain(value.error(), bad_call);
         spacing = *value;
     }
     if (arguments.vehicle != "free") {
         const auto robot = robot_named(arguments.vehicle);
-        if (!robot) return refuse(robot.error(), bad_call);
+        if (!robot) return complain(robot.error(), bad_call);
         // The rake's own path may turn as tightly as the offset allows; a machine without an offset turns on
         // the spot.
         options.turn_radius = robot->min_radius > 0 ? 1.1 * robot->rake_offset : 0;
@@ -61,19 +56,19 @@ int fill(const FillArguments& arguments, const Common& common) {
     }
 
     const auto text = read_input(arguments.input);
-    if (!text) return refuse(text.error(), bad_input);
+    if (!text) return complain(text.error(), bad_input);
     const auto task = stages::read_polygon(*text, arguments.input);
-    if (!task) return refuse(task.error(), bad_input);
+    if (!task) return complain(task.error(), bad_input);
     warn(task->warnings, common.quiet);
     if (!width) width = task->width;
     if (!width)
-        return refuse(
+        return complain(
             {arguments.input, "has no width, and the call neither", "give the rake's width by --width"},
             bad_call);
     options.width = *width;
     options.spacing = spacing.value_or(*width);
     if (options.spacing > options.width)
-        return refuse({"--spacing", "is wider than the rake", fmt::format("at most {}", *width)}, bad_call);
+        return complain({"--spacing", "is wider than the rake", fmt::format("at most {}", *width)}, bad_call);
     options.min_area = 0;  // the file names the one area it wants filled
     options.tolerance = options.width / width_per_tolerance;
 
@@ -94,10 +89,10 @@ int fill(const FillArguments& arguments, const Common& common) {
     }
     progress.report("filling", 1);
     if (strokes.empty())
-        return refuse({arguments.input, "nothing of it can be raked", "use a narrower rake"}, bad_input);
+        return complain({arguments.input, "nothing of it can be raked", "use a narrower rake"}, bad_input);
     const auto written = write_output(arguments.output,
                                       stages::write_strokes(*task, *width, strokes, ways, options.tolerance));
-    if (!written) return refuse(written.error(), bad_input);
+    if (!written) return complain(written.error(), bad_input);
     if (!common.quiet)
         fmt::print(stderr, "{} strokes; raked length x width / area = {:.3f}\n", strokes.size(),
                    swept / area);

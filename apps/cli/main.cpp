@@ -58,9 +58,9 @@ void add_results(CLI::App& app, ExportArguments& e, CheckArguments& c, RenderArg
         ->capture_default_str();
     exported->footer("Example:\n  strandline export lion.json --format beachbot -o lion.txt");
     exported->callback([&] { chosen = [&] { return export_plan(e, common); }; });
-    app.add_subcommand("formats", "lists the export formats")->callback([&] {
-        chosen = [&] { return list_formats(common); };
-    });
+    CLI::App* list = app.add_subcommand("formats", "lists the export formats");
+    list->footer("With --json: [{\"name\", \"what\"}, ...]");
+    list->callback([&] { chosen = [&] { return list_formats(common); }; });
 
     CLI::App* check = app.add_subcommand("check", "proves a plan from its file alone");
     check->add_option("input", c.input, "plan file, or -")->required();
@@ -137,12 +137,13 @@ Error misread(const CLI::App& app, int argc, char** argv, const CLI::ParseError&
 int finished(int code) {
     std::cout.flush();
     if (std::fflush(stdout) == 0 && std::cout) return code;
-    complain({"stdout", "cannot be written whole", "check the space left"});
-    return bad_input;
+    return complain({"stdout", "cannot be written whole", "check the space left"}, bad_input);
 }
 
 }  // namespace
 
+// What is not foreseen below ends the program, with its name on stderr:
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
     CLI::App app{"Strandline: a drawing becomes one drivable path for a drawing robot"};
     app.set_version_flag("--version", "strandline " STRANDLINE_VERSION);
@@ -151,7 +152,7 @@ int main(int argc, char** argv) {
     Common common;
     app.add_flag("-q,--quiet", common.quiet, "only errors");
     app.add_flag("-v,--verbose", common.verbose, "more");
-    app.add_flag("--json", common.json, "figures as JSON");
+    app.add_flag("--json", common.json, "figures and lists as JSON");
     app.footer(R"(Start here:
   strandline plan drawing.svg -o plan.json && strandline render plan.json -o plan.png
 Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but something falls short.)");
@@ -168,12 +169,17 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     std::string robot;
     add_plan(app, plan, common, chosen);
     add_results(app, exported, check, render, common, chosen);
-    app.add_subcommand("settings", "lists everything that can be set")->callback([&] {
-        chosen = [&] { return list_settings(common); };
-    });
+    CLI::App* settings = app.add_subcommand("settings", "lists everything that can be set");
+    settings->footer(
+        "With --json: [{\"key\", \"kind\", \"unit\", \"default\", \"low\", \"high\", \"choices\", "
+        "\"meaning\"}, ...]: "
+        "metres, radians, seconds;\n\"low\" and \"high\" for numbers, \"choices\" for choices alone.");
+    settings->callback([&] { chosen = [&] { return list_settings(common); }; });
     CLI::App* robots =
         app.add_subcommand("robots", "lists the built-in robots, or prints one as a profile file");
     robots->add_option("name", robot, "a built-in robot or a profile file");
+    robots->footer(
+        "With --json: a robot as in a plan file (docs/plan-format.md); without a name a list of them.");
     robots->callback([&] { chosen = [&] { return show_robot(robot, common); }; });
     add_stages(app, tour, fill, connect, convert, common, chosen);
 
@@ -181,15 +187,14 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return finished(app.exit(error));
-        complain(misread(app, argc, argv, error));
-        return bad_call;
+        return complain(misread(app, argc, argv, error), bad_call);
     }
     try {
         return finished(chosen());
     } catch (const std::bad_alloc&) {
-        complain({"", "not enough memory for this input", "make it simpler"});
+        return complain({"", "not enough memory for this input", "make it simpler"}, bad_input);
     } catch (const std::system_error& error) {  // printing to a full disk
-        complain({"stdout", std::string("cannot be written: ") + error.what(), "check the space left"});
+        return complain({"stdout", std::string("cannot be written: ") + error.what(), "check the space left"},
+                        bad_input);
     }
-    return bad_input;
 }

@@ -51,7 +51,7 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
 
 /// Twice: the canvas that is wished for decides the defaults of all that is not.
 Outcome<Wishes> gathered(const PlanArguments& a) {
-    const auto first = gathered(a, Options{});
+    auto first = gathered(a, Options{});
     if (!first) return first;
     return gathered(a, defaults_for({first->options.canvas.width, first->options.canvas.height}));
 }
@@ -118,13 +118,13 @@ Outcome<void> show(const Plan& plan, const PlanArguments& arguments) {
 
 int plan(const PlanArguments& arguments, const Common& common) {
     const auto wishes = gathered(arguments);
-    if (!wishes) return complain(wishes.error()), bad_call;
+    if (!wishes) return complain(wishes.error(), bad_call);
     const auto robot = robot_of(*wishes);
-    if (!robot) return complain(robot.error()), bad_call;
-    if (const auto fits = valid(wishes->options, *robot); !fits) return complain(fits.error()), bad_call;
-    if (const auto apart = outputs_apart(arguments); !apart) return complain(apart.error()), bad_call;
+    if (!robot) return complain(robot.error(), bad_call);
+    if (const auto fits = valid(wishes->options, *robot); !fits) return complain(fits.error(), bad_call);
+    if (const auto apart = outputs_apart(arguments); !apart) return complain(apart.error(), bad_call);
     const auto svg = read_input(arguments.input);
-    if (!svg) return complain(svg.error()), bad_input;
+    if (!svg) return complain(svg.error(), bad_input);
 
     const Progress progress = limited(console_progress(common.quiet), wishes->options.tour.time_limit);
     const std::string title =
@@ -134,7 +134,7 @@ int plan(const PlanArguments& arguments, const Common& common) {
         Error error = made.error();
         error.place = error.place.empty() || error.place == title ? arguments.input
                                                                   : arguments.input + ", " + error.place;
-        return complain(error), bad_input;
+        return complain(error, bad_input);
     }
     made->program = "strandline " STRANDLINE_VERSION;
     // A long plan takes as long to prove as to write: both only read it, so they go side by side. Where
@@ -143,7 +143,7 @@ int plan(const PlanArguments& arguments, const Common& common) {
     std::future<check::Report> proof = std::async(proof_wanted ? std::launch::async : std::launch::deferred,
                                                   [&made] { return check::prove(*made); });
     if (const auto done = write_output(arguments.output, formats::write_plan(*made)); !done)
-        return complain(done.error()), bad_input;
+        return complain(done.error(), bad_input);
 
     warn(made->warnings, common.quiet);
     for (const std::string& idle : made->idle_edits)
@@ -159,7 +159,7 @@ int plan(const PlanArguments& arguments, const Common& common) {
                    "strict: finished ground is driven over at {} places (strandline check -v lists them)\n",
                    report.blemishes.size());
     if (arguments.open)
-        if (const auto shown = show(*made, arguments); !shown) return complain(shown.error()), bad_input;
+        if (const auto shown = show(*made, arguments); !shown) return complain(shown.error(), bad_input);
     const bool short_of = !report.sound() || made->figures.fallbacks > 0 || !made->undrivable.empty() ||
                           !made->idle_edits.empty() || !report.blemishes.empty();
     return arguments.strict && short_of ? falls_short : done;

@@ -1,13 +1,12 @@
-// Commands that begin with a finished plan: export, formats, check, render; and the lists of what there is.
+// Commands that begin with a finished plan: export, check, render.
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <functional>
 
 #include "arguments.hpp"
-#include "base/units/units.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "export_formats.hpp"
 #include "result/check/check.hpp"
 #include "result/formats/formats.hpp"
 #include "summary.hpp"
@@ -18,13 +17,26 @@
 namespace strandline::cli {
 namespace {
 
-struct Format {
-    std::string name, what;
-    std::function<std::string(const Plan&, const ExportArguments&)> write;
-};
+Outcome<Plan> read_plan_file(const std::string& path) {
+    const auto text = read_input(path);
+    if (!text) return tl::unexpected(text.error());
+    return formats::read_plan(*text, path);
+}
 
-const std::vector<Format>& export_formats() {
-    static const std::vector<Format> table{
+int write_pair(const Plan& plan, const std::string& output) {
+    const formats::BeachbotPair pair = formats::write_beachbot(plan);
+    if (output == "-")
+        return complain({"--format beachbot", "writes two files", "name them with -o NAME.txt"}, bad_call);
+    const std::string base = output.ends_with(".txt") ? output.substr(0, output.size() - 4) : output;
+    const auto written = write_outputs({{base + "_robot.txt", pair.robot}, {base + "_rake.txt", pair.rake}});
+    if (!written) return complain(written.error(), bad_input);
+    return done;
+}
+
+}  // namespace
+
+const std::vector<ExportFormat>& export_formats() {
+    static const std::vector<ExportFormat> table{
         {"beachbot", "the pair NAME_robot.txt, NAME_rake.txt: x y mask, metres, a line an instant", {}},
         {"trace", "what is drawn and driven as polylines (JSON), for measuring",
          [](const Plan& plan, const ExportArguments& a) {
@@ -38,51 +50,26 @@ const std::vector<Format>& export_formats() {
     return table;
 }
 
-Outcome<Plan> read_plan_file(const std::string& path) {
-    const auto text = read_input(path);
-    if (!text) return tl::unexpected(text.error());
-    return formats::read_plan(*text, path);
-}
-
-int write_pair(const Plan& plan, const std::string& output) {
-    const formats::BeachbotPair pair = formats::write_beachbot(plan);
-    if (output == "-") {
-        complain({"--format beachbot", "writes two files", "name them with -o NAME.txt"});
-        return bad_call;
-    }
-    const std::string base = output.ends_with(".txt") ? output.substr(0, output.size() - 4) : output;
-    const auto written = write_outputs({{base + "_robot.txt", pair.robot}, {base + "_rake.txt", pair.rake}});
-    if (!written) return complain(written.error()), bad_input;
-    return done;
-}
-
-}  // namespace
-
 int export_plan(const ExportArguments& arguments, const Common&) {
-    const Format* format = nullptr;
+    const ExportFormat* format = nullptr;
     std::string names;
-    for (const Format& f : export_formats()) {
+    for (const ExportFormat& f : export_formats()) {
         if (f.name == arguments.format) format = &f;
         names += (names.empty() ? "" : ", ") + f.name;
     }
     if (!format)
-        return complain({"--format " + arguments.format, "is not known", "use one of " + names}), bad_call;
+        return complain({"--format " + arguments.format, "is not known", "use one of " + names}, bad_call);
     const auto plan = read_plan_file(arguments.input);
-    if (!plan) return complain(plan.error()), bad_input;
+    if (!plan) return complain(plan.error(), bad_input);
     if (format->name == "beachbot") return write_pair(*plan, arguments.output);
     const auto written = write_output(arguments.output, format->write(*plan, arguments));
-    if (!written) return complain(written.error()), bad_input;
-    return done;
-}
-
-int list_formats(const Common&) {
-    for (const Format& f : export_formats()) fmt::print("{:<10} {}\n", f.name, f.what);
+    if (!written) return complain(written.error(), bad_input);
     return done;
 }
 
 int check(const CheckArguments& arguments, const Common& common) {
     const auto plan = read_plan_file(arguments.input);
-    if (!plan) return complain(plan.error()), bad_input;
+    if (!plan) return complain(plan.error(), bad_input);
     const check::Report report = check::prove(*plan);  // Ctrl-C ends it: half a proof is none
     if (common.json) {
         fmt::print("{}", formats::write_report(report));
@@ -102,61 +89,25 @@ int render(const RenderArguments& arguments, const Common&) {
     const bool svg = arguments.output.ends_with(".svg"), png = arguments.output.ends_with(".png");
     if (!svg && !png)
         return complain({"-o " + arguments.output, "is neither .svg nor .png",
-                         "name the picture picture.svg or picture.png"}),
-               bad_call;
+                         "name the picture picture.svg or picture.png"},
+                        bad_call);
 #ifndef STRANDLINE_PICTURES
     if (png)
         return complain(
-                   {"-o " + arguments.output, "this program was built without pictures", "render to .svg"}),
-               bad_call;
+            {"-o " + arguments.output, "this program was built without pictures", "render to .svg"},
+            bad_call);
 #endif
     const auto plan = read_plan_file(arguments.input);
-    if (!plan) return complain(plan.error()), bad_input;
+    if (!plan) return complain(plan.error(), bad_input);
     Outcome<std::string> bytes;
 #ifdef STRANDLINE_PICTURES
     bytes = svg ? formats::write_svg(*plan) : picture::png(*plan, {.pixels = arguments.pixels});
 #else
     bytes = formats::write_svg(*plan);
 #endif
-    if (!bytes) return complain(bytes.error()), bad_input;
+    if (!bytes) return complain(bytes.error(), bad_input);
     const auto written = write_output(arguments.output, *bytes);
-    if (!written) return complain(written.error()), bad_input;
-    return done;
-}
-
-int list_settings(const Common&) {
-    constexpr double degrees = 180 / pi;
-    const Options defaults;
-    for (const Setting& s : settings()) {
-        const bool angle = s.kind == Setting::Kind::angle;
-        const char* unit = s.kind == Setting::Kind::length     ? " m"
-                           : angle                             ? " deg"
-                           : s.kind == Setting::Kind::duration ? " s"
-                                                               : "";
-        std::string value = get(defaults, s.key), range;
-        if (s.kind == Setting::Kind::choice) {
-            range = fmt::format("{}", fmt::join(s.choices, " | "));
-        } else if (s.kind == Setting::Kind::flag) {
-            range = "on | off";
-        } else {
-            const double factor = angle ? degrees : 1;
-            range = fmt::format("{}, {:g} to {:g}{}", name_of(s.kind), factor * s.low, factor * s.high, unit);
-            if (angle) value = fmt::format("{:g}", degrees * *parse_angle(value, s.key));
-            value += unit;
-        }
-        fmt::print("{:<24} {:<10} {}\n{:<36}{}\n", s.key, value, s.meaning, "", range);
-    }
-    return done;
-}
-
-int show_robot(const std::string& name, const Common&) {
-    if (name.empty()) {
-        for (const std::string& robot : builtin_robots()) fmt::print("{}\n", robot);
-        return done;
-    }
-    const auto robot = robot_named(name);
-    if (!robot) return complain(robot.error()), bad_input;
-    fmt::print("{}", write_robot(*robot));
+    if (!written) return complain(written.error(), bad_input);
     return done;
 }
 

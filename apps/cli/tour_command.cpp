@@ -37,15 +37,15 @@ int tour(const TourArguments& arguments, const Common& common) {
     double limit = 0;
     if (!arguments.time_limit.empty()) {
         const auto duration = parse_duration(arguments.time_limit, "--time-limit");
-        if (!duration) return complain(duration.error()), bad_call;
+        if (!duration) return complain(duration.error(), bad_call);
         if (!(*duration > 0))
-            return complain({"--time-limit", "is not above 0", "write a duration such as 10s"}), bad_call;
+            return complain({"--time-limit", "is not above 0", "write a duration such as 10s"}, bad_call);
         limit = *duration;
     }
     const auto text = read_input(arguments.input);
-    if (!text) return complain(text.error()), bad_input;
+    if (!text) return complain(text.error(), bad_input);
     const auto instance = stages::read_instance(*text, arguments.input == "-" ? "stdin" : arguments.input);
-    if (!instance) return complain(instance.error()), bad_input;
+    if (!instance) return complain(instance.error(), bad_input);
     warn(instance->warnings, common.quiet);
 
     tour::Options options{.seed = arguments.seed, .moves = arguments.moves};
@@ -57,9 +57,9 @@ int tour(const TourArguments& arguments, const Common& common) {
         };
     }
     const auto tour = tour::solve(instance->problem, options, progress);
-    if (!tour) return complain(tour.error()), bad_input;
+    if (!tour) return complain(tour.error(), bad_input);
     if (const auto written = write_output(arguments.output, stages::write_solution(*tour)); !written)
-        return complain(written.error()), bad_input;
+        return complain(written.error(), bad_input);
     print_figures(*tour, arguments, common);
     return done;
 }

@@ -1,6 +1,7 @@
 // The main job from the command line: SVG in, plan, robot text and picture out, checked.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "program.hpp"
@@ -102,6 +103,25 @@ TEST(MainJob, HelpAndListsAnswer) {
     write(folder / "turf.toml", run(folder, "robots turf").out);
     EXPECT_EQ(run(folder, "plan in.svg -o plan.json --robot turf.toml").exit, 0);
     EXPECT_EQ(run(folder, "fly").exit, 2);
+}
+
+TEST(MainJob, ListsAreJsonWhenAskedFor) {
+    const Folder folder;
+    const auto holds = [&](const std::string& arguments, const std::string& part) {
+        const Result list = run(folder, arguments + " --json");
+        EXPECT_EQ(list.exit, 0) << list.err;
+        EXPECT_NE(list.out.find(part), std::string::npos) << part << " in: " << list.out;
+        EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '{'),
+                  std::count(list.out.begin(), list.out.end(), '}'));
+        return list.out;
+    };
+    holds("formats", R"({"name":"trace","what":)");
+    holds("settings", R"({"key":"trajectory.step","kind":"length","unit":"m","default":0.02,"low":)");
+    holds("settings", R"("default":"spiral","choices":["spiral","zigzag"],"meaning":)");
+    holds("settings", R"("default":true,"meaning":)");
+    const std::string all = holds("robots", R"("name":"plotter")"),
+                      one = holds("robots turf", R"("name":"turf")");
+    EXPECT_NE(all.find(one.substr(0, one.find('\n'))), std::string::npos) << "the same robot in both";
 }
 
 }  // namespace

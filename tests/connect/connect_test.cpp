@@ -75,7 +75,8 @@ TEST(Connect, ARobotThatCanTurnOnTheSpotDoesSoWhereAnEndIsTooTight) {
 
 TEST(Connect, LimitsComeFromTheRobot) {
     Robot robot;
-    robot.min_radius = 0.7, robot.sharpness = 3;
+    robot.min_radius = 0.7;
+    robot.sharpness = 3;
     EXPECT_EQ(limits_of(robot).radius, 0.7);
     EXPECT_EQ(limits_of(robot).sharpness, 3);
 }

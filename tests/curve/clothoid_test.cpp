@@ -71,13 +71,7 @@ TEST(Clothoid, SamplesAreEvenAndHoldBothEnds) {
             expect_same_place(points[k].pose, point_at(curve, points[k].s).pose, 1e-10);
         }
         expect_same_place(points.back().pose, end_pose(curve), 0);
-        EXPECT_EQ(sampled_by_piece(curve, 100).size(), curve.pieces.size() + 1);
     }
-}
-
-TEST(Clothoid, TheEnergyOfACircleIsItsTurningTimesItsCurvature) {
-    EXPECT_NEAR(bending_energy({{}, {{2, 3, 0}}}), 18, 1e-12);
-    EXPECT_NEAR(bending_energy({{}, {{1, 0, 3}}}), 3, 1e-12);
 }
 
 TEST(HermiteClothoid, MeetsBothPosesWhateverTheyAre) {

@@ -13,7 +13,7 @@ using testing::Dice;
 std::vector<Point> points_of(const std::vector<Curve>& curves, double step) {
     std::vector<Point> points;
     for (const Curve& curve : curves)
-        for (const CurvePoint& p : sampled_by_piece(curve, step)) points.push_back(p.pose.at);
+        for (const CurvePoint& p : sampled(curve, step)) points.push_back(p.pose.at);
     return points;
 }
 

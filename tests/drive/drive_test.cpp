@@ -32,7 +32,7 @@ TEST(Drive, ACornerBelowTheThresholdIsDrawnExactlyInTwoLegs) {
     EXPECT_EQ(result.exact, 1);
     EXPECT_EQ(count(result, Motion::draw), 2);
     EXPECT_EQ(count(result, Motion::loop), 0);
-    EXPECT_NEAR(expect_drivable(result, beachbot()), length(blunt), 1e-4);
+    EXPECT_NEAR(expect_drivable(result, beachbot()), length(blunt.rake_path), 1e-4);
     EXPECT_LT(worst_rake_error(result, beachbot(), blunt), 1e-6);
 }
 
@@ -72,7 +72,7 @@ TEST(Drive, ATightStartIsLedInToRakeUp) {
     ASSERT_EQ(result.legs.size(), 2u);
     EXPECT_EQ(result.legs[0].motion, Motion::lead);
     EXPECT_NEAR(std::abs(result.start.curvature), 1 / robot.min_radius, 1e-3);
-    EXPECT_NEAR(expect_drivable(result, robot), length(stroke), 1e-4);
+    EXPECT_NEAR(expect_drivable(result, robot), length(stroke.rake_path), 1e-4);
     EXPECT_LT(worst_rake_error(result, robot, stroke), 1e-4);
     EXPECT_TRUE(result.undrivable.empty());
 }
@@ -126,7 +126,7 @@ TEST(Drive, APivotBringsTheTrailingRakeBackToTheCorner) {
         const drive::Drive result = drive::drive(stroke, 0, 0, false, robot, {.above = Above::pivot});
         EXPECT_EQ(result.loops, 0);
         EXPECT_EQ(count(result, Motion::pivot), 2 * result.pivots);
-        EXPECT_NEAR(expect_drivable(result, robot), length(stroke), 1e-4);
+        EXPECT_NEAR(expect_drivable(result, robot), length(stroke.rake_path), 1e-4);
         EXPECT_LT(worst_rake_error(result, robot, stroke), 1e-6);
     }
 }
@@ -142,7 +142,7 @@ TEST(Drive, APlotterTurnsOnTheSpotAtEveryCornerAndNeverLoops) {
             EXPECT_EQ(count(result, Motion::draw), 5);
             EXPECT_EQ(count(result, Motion::pivot), 4);
             EXPECT_EQ(result.legs.size(), 9u);
-            EXPECT_NEAR(expect_drivable(result, plotter), length(star), 1e-9);
+            EXPECT_NEAR(expect_drivable(result, plotter), length(star.rake_path), 1e-9);
             EXPECT_LT(worst_rake_error(result, plotter, star), 1e-9);
         }
 }
@@ -179,7 +179,8 @@ TEST(Drive, AFillIsLiftedWhereTheRakeIsLostAndALineIsDrawnOn) {
     EXPECT_LT(worst_rake_error(fill, beachbot(), tight), 1.01e-3)
         << "lowered within a millimetre of its path";
     ASSERT_EQ(fill.undrivable.size(), 1u);
-    EXPECT_NEAR(expect_drivable(fill, beachbot()), length(tight) - fill.undrivable.front().length, 0.02);
+    EXPECT_NEAR(expect_drivable(fill, beachbot()), length(tight.rake_path) - fill.undrivable.front().length,
+                0.02);
 }
 
 TEST(Drive, WhatTheRakeCannotFollowIsListedByPlace) {

@@ -36,7 +36,7 @@ TEST(DriveLaws, WhateverTheCornersLegsMeetAndRollAndTheWholeStrokeIsDrawn) {
                     const auto result =
                         drive::drive(stroke, 0, closed ? round % 7 : 0, reverse, robot, {.above = above});
                     EXPECT_TRUE(result.undrivable.empty());
-                    EXPECT_NEAR(expect_drivable(result, robot), length(stroke), 1e-3) << robot.name;
+                    EXPECT_NEAR(expect_drivable(result, robot), length(stroke.rake_path), 1e-3) << robot.name;
                     EXPECT_LT(worst_rake_error(result, robot, stroke), 1e-6) << robot.name;
                     // a corner is one of these, at the seam of a closed stroke none
                     EXPECT_EQ(result.exact + result.loops + result.pivots + result.rounded, closed ? 7 : 6);
@@ -54,7 +54,7 @@ TEST(DriveLaws, RoundedStrokesRollToo) {
             const auto result =
                 drive::drive(stroke, 0, 0, false, robot, {.below = Below::round, .above = Above::round});
             EXPECT_TRUE(result.undrivable.empty());
-            EXPECT_LE(expect_drivable(result, robot), length(stroke) + 1e-3);
+            EXPECT_LE(expect_drivable(result, robot), length(stroke.rake_path) + 1e-3);
             EXPECT_EQ(result.exact + result.loops + result.pivots + result.rounded, 6);
             if (HasFailure()) return;
         }

@@ -17,6 +17,9 @@ inline Region two_holes() {
 }
 inline std::vector<Region> all() { return {square(), letter_l(), ring(), two_holes()}; }
 
+/// The rake of these tests: 0.4 m wide, passes side by side.
+inline fill::Options with(fill::Style style) { return {.style = style, .width = 0.4, .spacing = 0.4}; }
+
 inline Polyline line_of(const Stroke& stroke) {
     Polyline line;
     for (const Curve& curve : stroke.rake_path)

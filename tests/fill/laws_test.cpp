@@ -2,16 +2,10 @@
 
 #include "fill/areas.hpp"
 
-namespace strandline {
+namespace strandline::fill {
 namespace {
 
-using fill::Fill;
-using fill::fill_region;
-using fill::Options;
-using fill::Partition;
-using fill::Style;
-
-Options with(Style style) { return {.style = style, .width = 0.4, .spacing = 0.4}; }
+using areas::with;
 
 TEST(FillLaws, NearlyAllIsRakedAndNothingOutside) {
     for (Style style : {Style::spiral, Style::zigzag})
@@ -39,7 +33,10 @@ TEST(FillLaws, AScaledAreaWithAScaledRakeIsFilledTheSame) {
             const Region large = shapes::moved({region}, {8, 0, 0, 8, 0, 0})[0];
             Options options = with(style);
             const Fill here = fill_region(region, 0, "area", options);
-            options.width *= 8, options.spacing *= 8, options.tolerance *= 8, options.min_area *= 64;
+            options.width *= 8;
+            options.spacing *= 8;
+            options.tolerance *= 8;
+            options.min_area *= 64;
             const Fill there = fill_region(large, 0, "area", options);
             EXPECT_EQ(here.strokes.size(), there.strokes.size());
             EXPECT_NEAR(here.swept / here.area, there.swept / there.area, 0.01);
@@ -83,8 +80,7 @@ TEST(FillLaws, StrokesAreFillStrokesWithNodesAtTheirEnds) {
             ASSERT_EQ(stroke.nodes.size(), 2u);
             EXPECT_EQ(stroke.nodes[0].at, stroke.rake_path.front().start.at);
             EXPECT_NEAR(distance(stroke.nodes[1].at, end_pose(stroke.rake_path.back()).at), 0, 1e-9);
-            double length_of_all = 0;
-            for (const Curve& curve : stroke.rake_path) length_of_all += length(curve);
+            const double length_of_all = length(stroke.rake_path);
             EXPECT_NEAR(stroke.nodes[1].s, length_of_all, 1e-9);
             swept_area += length_of_all * 0.4;
             for (std::size_t i = 1; i < stroke.rake_path.size(); ++i)
@@ -113,4 +109,4 @@ TEST(FillLaws, RakeUpWaysStayInside) {
 }
 
 }  // namespace
-}  // namespace strandline
+}  // namespace strandline::fill

@@ -2,18 +2,13 @@
 
 #include "fill/areas.hpp"
 
-namespace strandline {
+namespace strandline::fill {
 namespace {
 
-using fill::Fill;
-using fill::fill_region;
-using fill::Options;
-using fill::Partition;
-using fill::Style;
+using areas::with;
 
 TEST(FillStyles, ASquareIsOneSpiralStroke) {
-    const Fill fill =
-        fill_region(areas::square(), 0, "area", {.style = Style::spiral, .width = 0.4, .spacing = 0.4});
+    const Fill fill = fill_region(areas::square(), 0, "area", with(Style::spiral));
     EXPECT_EQ(fill.strokes.size(), 1u);
     EXPECT_LT(fill.swept / fill.area, 1.03);
 }
@@ -29,7 +24,7 @@ TEST(FillStyles, ARingIsFilledFromItsHoleOutwardsInOneStroke) {
 }
 
 TEST(FillStyles, ZigzagLinesRunInTheGivenDirection) {
-    Options options{.style = Style::zigzag, .width = 0.4, .spacing = 0.4};
+    Options options = with(Style::zigzag);
     options.direction = 0.3;
     options.border = options.rake_turns = false;
     const Fill fill = fill_region(areas::square(), 0, "area", options);
@@ -39,7 +34,7 @@ TEST(FillStyles, ZigzagLinesRunInTheGivenDirection) {
 }
 
 TEST(FillStyles, TheBestDirectionOfALongAreaIsItsLength) {
-    Options options{.style = Style::zigzag, .width = 0.4, .spacing = 0.4};
+    Options options = with(Style::zigzag);
     options.border = false;
     const Region bar = shapes::moved({areas::of({{{0, 0}, {9, 0}, {9, 1.6}, {0, 1.6}}})}, shapes::turned)[0];
     const Fill fill = fill_region(bar, 0, "area", options);
@@ -62,7 +57,7 @@ TEST(FillStyles, NeighbouringLinesKeepTheSpacing) {
 }
 
 TEST(FillStyles, RakedTurnsJoinLinesAndLiftedOnesDoNot) {
-    Options options{.style = Style::zigzag, .width = 0.4, .spacing = 0.4};
+    Options options = with(Style::zigzag);
     EXPECT_EQ(fill_region(areas::square(), 0, "area", options).strokes.size(), 2u);  // lines, border
     options.rake_turns = false;
     EXPECT_GT(fill_region(areas::square(), 0, "area", options).strokes.size(), 10u);
@@ -90,7 +85,7 @@ TEST(FillStyles, ConvexPartsOfAnAreaWithHolesAreReplacedWithAWarning) {
 }
 
 TEST(FillStyles, AnInsetOfThePartsLeavesSandBetweenThem) {
-    Options options{.style = Style::zigzag, .width = 0.4, .spacing = 0.4};
+    Options options = with(Style::zigzag);
     const double full = fill_region(areas::ring(), 0, "area", options).swept;
     options.part_inset = 0.3;
     const Fill fill = fill_region(areas::ring(), 0, "area", options);
@@ -119,8 +114,8 @@ TEST(FillStyles, ATurnRadiusLeavesHardlyAnyCorners) {
 
 TEST(FillStyles, AnAreaNarrowerThanTheRakeIsOnePassWithAWarning) {
     for (Style style : {Style::spiral, Style::zigzag}) {
-        const Fill fill = fill_region(areas::of({{{0, 0}, {5, 0}, {5, 0.3}, {0, 0.3}}}), 0, "bar",
-                                      {.style = style, .width = 0.4, .spacing = 0.4});
+        const Fill fill =
+            fill_region(areas::of({{{0, 0}, {5, 0}, {5, 0.3}, {0, 0.3}}}), 0, "bar", with(style));
         ASSERT_EQ(fill.strokes.size(), 1u);
         ASSERT_EQ(fill.warnings.size(), 1u);
         EXPECT_EQ(fill.warnings[0].place, "bar");
@@ -144,4 +139,4 @@ TEST(FillStyles, AnArmTooNarrowForTheRakeIsNamedByPlace) {
 }
 
 }  // namespace
-}  // namespace strandline
+}  // namespace strandline::fill

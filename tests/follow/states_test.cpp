@@ -48,15 +48,5 @@ TEST(States, TheRakeTrailsTheTurningPoint) {
     EXPECT_NEAR(distance(robot_at(robot, rake, pose.heading).at, pose.at), 0, 1e-15);
 }
 
-TEST(States, PinsAreSpacedByTheirPitchWithTheFirstOnTheLeft) {
-    const Robot robot = beachbot();
-    const RobotPath path = states_along(straight({{0, 0}, 0}, 1), 0.5);
-    for (int pin = 0; pin < robot.pins; ++pin) {
-        const Point at = pin_track(robot, path, pin).front();
-        EXPECT_NEAR(at.y, (3 - pin) * 0.06, 1e-15);
-        EXPECT_NEAR(at.x, -0.2, 1e-15);
-    }
-}
-
 }  // namespace
 }  // namespace strandline

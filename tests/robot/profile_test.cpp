@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -74,9 +75,24 @@ TEST(Profile, ListsAreCheckedEntryByEntry) {
     EXPECT_TRUE(holds(refusal("[[wheels]]\nx = 0"), "y is missing"));
     EXPECT_TRUE(holds(refusal("[[wheels]]\nx = 99\ny = 0"), "wheels[0]"));
     EXPECT_TRUE(holds(refusal("[[rake_rules]]\nup_to = 1\npins = 9"), "0 to 7"));
+    EXPECT_TRUE(holds(refusal("[[rake_rules]]\nup_to = 1\npins = -1"), "0 to 7"));
     EXPECT_TRUE(holds(refusal("[[rake_rules]]\nup_to = 3\npins = 1\n[[rake_rules]]\nup_to = 3\npins = 2"),
                       "thin to wide"));
     EXPECT_TRUE(holds(refusal("[[rake_rules]]\nup_to = 3\npins = 1.5"), "whole number"));
+}
+
+TEST(Profile, FewerPinsLimitTheBasesRulesButNotThoseOfTheProfileItself) {
+    const auto robot = read_robot("pins = 5", "my.toml");
+    ASSERT_TRUE(robot) << sentence(robot.error());
+    EXPECT_EQ(robot->rake_rules, (std::vector<RakeRule>{{0, 0}, {1, 1}, {3, 3}, {5, 5}, {8, 5}}));
+    // a profile as `strandline robots beachbot` prints it, with another number of pins
+    std::string whole = write_robot(*builtin_robot("beachbot"));
+    whole.replace(whole.find("pins = 7"), 8, "pins = 5");
+    const auto line = std::count(whole.begin(), whole.end(), '\n');  // the widest rule is the last line
+    const std::string text = refusal(whole);
+    EXPECT_TRUE(holds(text, "line " + std::to_string(line) + ", rake_rules.pins")) << text;
+    EXPECT_TRUE(holds(text, "7 pins where the robot has 5")) << text;
+    EXPECT_TRUE(holds(text, "remove every [[rake_rules]]")) << text;
 }
 
 TEST(Profile, ASyntaxErrorNamesItsLine) {

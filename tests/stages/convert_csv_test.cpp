@@ -8,14 +8,15 @@
 namespace strandline::stages {
 namespace {
 
-std::string refusal(const std::string& text) {
-    const auto rows = read_rake_csv(text, "rake.csv");
+std::string refusal(const std::string& text, const std::string& robot = "beachbot") {
+    const auto rows = read_rake_csv(text, "rake.csv", *builtin_robot(robot));
     return rows ? "accepted" : sentence(rows.error());
 }
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(ConvertCsv, AnEmptyLineStartsANewStroke) {
-    const auto rows = read_rake_csv("x,y,pins\n0,0,7\n1,0,7\n\n\n2,2,3\r\n2.5,2e0,3\n", "rake.csv");
+    const auto rows = read_rake_csv("x,y,pins\n0,0,7\n1,0,7\n\n\n2,2,3\r\n2.5,2e0,3\n", "rake.csv",
+                                    *builtin_robot("beachbot"));
     ASSERT_TRUE(rows) << sentence(rows.error());
     ASSERT_EQ(rows->strokes.size(), 2u);
     EXPECT_EQ(rows->strokes[0].size(), 2u);
@@ -35,6 +36,15 @@ TEST(ConvertCsv, BadInputIsRefusedWithItsLine) {
     EXPECT_TRUE(holds(refusal("x,y,pins\n0,1,7,8\n"), "line 2"));
     EXPECT_TRUE(holds(refusal("x,y,pins\n0,1,-7\n"), "whole number"));
     EXPECT_TRUE(holds(refusal("x,y,pins\n0,1,1.5\n"), "whole number"));
+}
+
+TEST(ConvertCsv, NoMorePinsThanTheRobotHas) {
+    EXPECT_EQ(refusal("x,y,pins\n0,0,127\n1,0,0\n"), "accepted");
+    const std::string text = refusal("x,y,pins\n0,0,7\n1,0,128\n");
+    EXPECT_TRUE(holds(text, "rake.csv, line 3")) << text;
+    EXPECT_TRUE(holds(text, "0 to 127")) << text;
+    EXPECT_EQ(refusal("x,y,pins\n0,0,1\n", "plotter"), "accepted");
+    EXPECT_TRUE(holds(refusal("x,y,pins\n0,0,2\n", "plotter"), "0 to 1"));
 }
 
 TEST(ConvertCsv, AnyPointsAreConvertedOrRefused) {
@@ -66,7 +76,8 @@ TEST(ConvertCsv, APathAcrossACountryIsConvertedAtOnce) {
 }
 
 TEST(ConvertCsv, OneRowARowAndAnEmptyLineBetweenStrokes) {
-    const auto rows = read_rake_csv("x, y, pins\n0,0,8\n1,0,8\n\n0,1,127\n1,1,127\n2,1,127\n", "rake.csv");
+    const auto rows = read_rake_csv("x, y, pins\n0,0,8\n1,0,8\n\n0,1,127\n1,1,127\n2,1,127\n", "rake.csv",
+                                    *builtin_robot("beachbot"));
     ASSERT_TRUE(rows);
     const std::string text = write_robot_csv(converted(*rows, *builtin_robot("beachbot")));
     EXPECT_EQ(text.substr(0, text.find('\n')), "x,y,theta,kappa,pins,x_rake,y_rake");

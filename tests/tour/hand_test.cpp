@@ -158,15 +158,22 @@ TEST(Tour, ContradictoryOrdersAreRefusedByName) {
     refused("cannot come before itself", [](Problem& p) { p.before = {{3, 3}}; });
     refused("is in group 0 already", [](Problem& p) { p.groups = {{1, 3}, {3, 2}}; });
     refused("a circle, given the links", [](Problem& p) {
-        p.links = {{0, 1, 1, 0}}, p.before = {{0, 3}, {3, 1}};
+        p.links = {{0, 1, 1, 0}};
+        p.before = {{0, 3}, {3, 1}};
     });
     refused("a circle, given the links and groups", [](Problem& p) {
-        p.groups = {{0, 1}}, p.before = {{0, 3}, {3, 1}};
+        p.groups = {{0, 1}};
+        p.before = {{0, 3}, {3, 1}};
     });
     refused("group 0 before group 1", [](Problem& p) {
-        p.groups = {{0}, {3}}, p.keep_group_order = true, p.before = {{3, 0}};
+        p.groups = {{0}, {3}};
+        p.keep_group_order = true;
+        p.before = {{3, 0}};
     });
-    refused("comes back", [](Problem& p) { p.links = {{0, 1, 1, 0}, {1, 1, 2, 0}}, p.groups = {{0, 2}}; });
+    refused("comes back", [](Problem& p) {
+        p.links = {{0, 1, 1, 0}, {1, 1, 2, 0}};
+        p.groups = {{0, 2}};
+    });
     refused("both ways", [](Problem& p) { p.links = {{0, 1, 1, 0}, {1, 1, 2, 0}}, p.groups = {{1, 3}}; });
     refused("say otherwise", [](Problem& p) {
         p.links = {{0, 1, 3, 0}};

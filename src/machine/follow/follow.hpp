@@ -64,8 +64,6 @@ double steady_delta(const Robot& robot, double rake_curvature, double most);
 /// The largest |delta| at which the robot's own curvature is within 1/min_radius: atan(rake_offset /
 /// min_radius).
 double connectable_delta(const Robot& robot);
-/// Track of one pin (0 = leftmost looking forward) for a robot path.
-std::vector<Point> pin_track(const Robot& robot, const RobotPath& path, int pin);
 
 /// What the robot is told at one instant.
 enum class Motion { draw, lead, loop, connect, pivot };

@@ -60,15 +60,6 @@ RobotPath states_along(const Curve& curve, double step) {
     return path;
 }
 
-std::vector<Point> pin_track(const Robot& robot, const RobotPath& path, int pin) {
-    const double to_left = ((robot.pins - 1) / 2.0 - pin) * robot.pin_pitch;
-    std::vector<Point> track;
-    track.reserve(path.size());
-    for (const RobotState& state : path)
-        track.push_back(rake_at(robot, state.pose) + to_left * left_normal(unit(state.pose.heading)));
-    return track;
-}
-
 const char* name_of(Motion motion) {
     switch (motion) {
         case Motion::draw:

@@ -83,13 +83,17 @@ WayBack stray(const std::vector<RakeNode>& nodes, std::size_t step, double s, co
             dz = h * std::cos((delta + wanted) / 2);
             const double k = std::tan(delta) / offset, k_before = std::tan(wanted) / offset;
             before = advanced(pose, {dz, k, (k - k_before) / dz}, -dz);
-            i = step, at = s;
+            i = step;
+            at = s;
             place_before(i, at, h * sight.progress);
             const Sight then = look(nodes[i], at, robot, before, options.max_delta, delta);
             if (round == 0) wanted = then.delta;
             if (round == 1) sight = then;
         }
-        pose = before, delta = wanted, step = i, s = at;
+        pose = before;
+        delta = wanted;
+        step = i;
+        s = at;
         to_end += dz;
         arrive(pose, delta);
         result.max_error = std::max(result.max_error, sight.error());

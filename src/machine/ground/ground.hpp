@@ -29,7 +29,7 @@ class Ground {
     double cell_size() const { return cell_; }
     Cell& at(int i, int j);                ///< makes the tile when missing; O(1), cheapest within one tile
     const Cell* find(int i, int j) const;  ///< nullptr where nothing was touched
-    std::size_t tiles() const { return tiles_.size(); }
+    std::size_t tiles() const { return tiles_.size(); }  ///< made so far: the memory, for tests of it
     Point centre(int i, int j) const { return {(i + 0.5) * cell_, (j + 0.5) * cell_}; }
     int index(double coordinate) const;  ///< of the cell that holds it; clamped to +-2^30 cells
     /// Every touched tile's cells, in a fixed order (by row, then column).

@@ -134,6 +134,23 @@ Outcome<toml::table> parse(std::string_view source, const std::string& place) {
     }
 }
 
+/// Rules are read before it is known how many pins there are.
+Outcome<void> rules_within_pins(const toml::table& table, int pins, const std::string& text) {
+    const toml::array* list = table["rake_rules"].as_array();
+    if (!list) return {};
+    for (const toml::node& rule : *list) {
+        const toml::node* node = rule.as_table()->get("pins");
+        const double wanted = node->value<double>().value_or(0);
+        if (wanted < 0 || wanted > pins)
+            return fail(place_of(text, *node, "rake_rules.pins"),
+                        fmt::format("{} pins where the robot has {}", number_text(wanted), pins),
+                        fmt::format("write 0 to {}; or remove every [[rake_rules]], and the base's are used, "
+                                    "limited to {} pins",
+                                    pins, pins));
+    }
+    return {};
+}
+
 std::string quoted(const std::string& name) {
     std::string text = "\"";
     for (const char c : name) {
@@ -171,6 +188,8 @@ Outcome<Robot> read_robot(std::string_view source, const std::string& place) {
         if (const auto read = read_field(*robot, std::string(key.str()), node, place); !read)
             return tl::unexpected(read.error());
     if (!table.contains("rake_rules")) limit_rules(*robot);
+    if (const auto kept = rules_within_pins(table, robot->pins, place); !kept)
+        return tl::unexpected(kept.error());
     return valid(std::move(*robot), place);
 }
 

@@ -42,10 +42,10 @@ struct Robot {
     double lift_delay = 0.0;         ///< s from command to pins up or down
     double front = 0.5, back = 0.35, half_width = 0.35;  ///< footprint around P
     std::vector<Wheel> wheels = {};
-    std::vector<RakeRule> rake_rules =
-        {};  ///< ascending up_to; beachbot: 0->0, 1->1, 3->3, 5->5, 8->7 pins (2014)
-    bool fill_wide_strokes =
-        true;  ///< a drawn stroke wider than the rake becomes a region; false: it stays one line (plotters)
+    /// ascending up_to; beachbot: 0->0, 1->1, 3->3, 5->5, 8->7 pins (2014)
+    std::vector<RakeRule> rake_rules = {};
+    /// a drawn stroke wider than the rake becomes a region; false: it stays one line (plotters)
+    bool fill_wide_strokes = true;
     bool operator==(const Robot&) const = default;
 
     double rake_width() const { return pins * pin_pitch; }

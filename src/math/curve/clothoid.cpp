@@ -95,6 +95,12 @@ double length(const Curve& curve) {
     return sum;
 }
 
+double length(const std::vector<Curve>& curves) {
+    double sum = 0;
+    for (const Curve& curve : curves) sum += length(curve);
+    return sum;
+}
+
 double max_curvature(const Curve& curve) {
     double most = 0;
     for (const Clothoid& piece : curve.pieces)
@@ -145,18 +151,6 @@ std::vector<CurvePoint> sampled(const Curve& curve, double step, int least) {
     return points;
 }
 
-std::vector<CurvePoint> sampled_by_piece(const Curve& curve, double step) {
-    if (curve.pieces.empty()) return {{0, curve.start, 0}};
-    std::vector<CurvePoint> points{{0, curve.start, curve.pieces.front().curvature}};
-    for_pieces(curve, [&](Pose pose, double s0, const Clothoid& piece) {
-        if (piece.length <= 0) return;
-        const double steps = std::max(1.0, std::ceil(piece.length / step - 1e-9));
-        for (double k = 1; k <= steps; ++k)
-            points.push_back(state(pose, s0, piece, k / steps * piece.length));
-    });
-    return points;
-}
-
 Curve reversed(const Curve& curve) {
     Curve back{end_pose(curve), {}};
     back.start.heading += pi;
@@ -189,14 +183,5 @@ Curve joined(Curve first, const Curve& second) {
 }
 
 Curve straight(Pose start, double length) { return {start, {{length, 0, 0}}}; }
-
-double bending_energy(const Curve& curve) {
-    double sum = 0;
-    for (const Clothoid& piece : curve.pieces) {
-        const double a = piece.curvature, b = piece.end_curvature();
-        sum += piece.length * (a * a + a * b + b * b) / 3;
-    }
-    return sum;
-}
 
 }  // namespace strandline

@@ -10,7 +10,6 @@
 namespace strandline {
 
 // ---- exact paths
-// -------------------------------------------------------------------------------------------
 
 struct LineSegment {
     Point to;
@@ -55,7 +54,6 @@ double length(const Path& path);
 Box bounds(const Path& path);
 
 // ---- clothoid curves
-// ---------------------------------------------------------------------------------------
 
 /// Where something is and where it looks.
 struct Pose {
@@ -92,16 +90,16 @@ struct CurvePoint {
 Pose advanced(Pose start, const Clothoid& piece, double s);
 Pose end_pose(const Curve& curve);
 double length(const Curve& curve);
+/// Of all of them together.
+double length(const std::vector<Curve>& curves);
 double max_curvature(const Curve& curve);
 double max_sharpness(const Curve& curve);
-/// Largest jump of curvature between neighbouring pieces.
+/// Largest jump of curvature between neighbouring pieces: 0 is G2. What planned curves are tested with.
 double max_curvature_jump(const Curve& curve);
 /// State at arc length s, clamped to the ends. O(pieces).
 CurvePoint point_at(const Curve& curve, double s);
 /// Both ends and equal steps of at most `step` between: at least `least` points. O(points + pieces).
 std::vector<CurvePoint> sampled(const Curve& curve, double step, int least = 2);
-/// Samples at equal steps within each piece, of at most `step`, every joint kept.
-std::vector<CurvePoint> sampled_by_piece(const Curve& curve, double step);
 /// The same points backwards: the robot turned about.
 Curve reversed(const Curve& curve);
 /// From arc length `from` to `to` (clamped).
@@ -109,8 +107,6 @@ Curve slice(const Curve& curve, double from, double to);
 /// `second` moved to the end of `first` is not checked: the caller says they meet.
 Curve joined(Curve first, const Curve& second);
 Curve straight(Pose start, double length);
-/// Integral of curvature^2, 1/m.
-double bending_energy(const Curve& curve);
 
 /// One clothoid from pose to pose (G1 Hermite): Bertolazzi and Frego, "G1 fitting with clothoids", Math.
 /// Meth. Appl. Sci. 2015, section 3 (Newton on one unknown from their guess). Position error below 1e-10 x
@@ -118,12 +114,11 @@ double bending_energy(const Curve& curve);
 Curve hermite_clothoid(Pose from, Pose to);
 
 // ---- fitting
-// -----------------------------------------------------------------------------------------------
 
 struct FitOptions {
     double tolerance = 0.002;  ///< metres: largest distance between path and fit
-    double corner_angle =
-        0.02;  ///< radians: heading jumps above this stay corners; smaller ones are smoothed over
+    /// radians: heading jumps above this stay corners; smaller ones are smoothed over
+    double corner_angle = 0.02;
     /// radians: chains of straight lines that turn by no more than this at a vertex are smoothed over as well
     /// where the bulge stays within the tolerance (drawings that were flattened before). 0: off.
     double smooth_angle = 0;
@@ -135,7 +130,6 @@ struct FitOptions {
 std::vector<Curve> fitted(const Path& path, const FitOptions& options);
 
 // ---- curves between poses
-// ----------------------------------------------------------------------------------
 
 /// The shortest curve with |curvature| <= 1/radius: Dubins, Am. J. Math. 1957; words by Shkel and Lumelsky
 /// 2001. Curvature jumps. Never fails. About 0.5 us.

@@ -26,7 +26,8 @@ double positive_turn(double angle) {
 
 /// First turn `a`, last turn `b` (signs), straight between. Mirrored so that the first is always to the left.
 std::optional<Word> with_straight(double d, double alpha, double beta, int a, int b) {
-    alpha *= a, beta *= a;
+    alpha *= a;
+    beta *= a;
     const int same = a * b;  // 1: outer tangent, -1: inner tangent
     // Centres of the two circles; the first turns left after mirroring, the last left or right.
     const Point first{-std::sin(alpha), std::cos(alpha)};
@@ -43,7 +44,8 @@ std::optional<Word> with_straight(double d, double alpha, double beta, int a, in
 }
 
 std::optional<Word> three_turns(double d, double alpha, double beta, int a) {
-    alpha *= a, beta *= a;
+    alpha *= a;
+    beta *= a;
     const Point first{-std::sin(alpha), std::cos(alpha)}, last{d - std::sin(beta), std::cos(beta)};
     const Point link = last - first;
     const double apart = length(link);

@@ -26,10 +26,13 @@ double dip_for(const Spiral& spiral, double distance, double distance_at_zero) {
         if (i % 4 == 3 || !(dip > low && dip < high)) dip = (low + high) / 2;
         const double f = centre_distance(spiral, dip) - distance;
         if (std::abs(f) < 1e-15) return dip;
-        if (f > 0)
-            low = dip, f_low = f;
-        else
-            high = dip, f_high = f;
+        if (f > 0) {
+            low = dip;
+            f_low = f;
+        } else {
+            high = dip;
+            f_high = f;
+        }
     }
     return (low + high) / 2;
 }

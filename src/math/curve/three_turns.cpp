@@ -48,7 +48,8 @@ struct Solver {
             if (det == 0) return;
             const double da = -cross(f, fm) / det, dm = -cross(fa, f) / det;
             const double share = std::min(1.0, most_step / std::max(std::abs(da), std::abs(dm)));
-            a += share * da, m += share * dm;
+            a += share * da;
+            m += share * dm;
             f = miss(a, m, total);
         }
         if (!(length(f) <= tolerance)) return;

@@ -37,11 +37,13 @@ void refine(const Task& task, Bracket b, double tolerance, double& best, std::ve
         }
         if (b.high - b.low < 1e-15) return;  // a jump, not a root
         if ((miss > 0) == (b.f_high > 0)) {
-            b.high = at, b.f_high = miss;
+            b.high = at;
+            b.f_high = miss;
             if (stayed == -1) b.f_low /= 2;
             stayed = -1;
         } else {
-            b.low = at, b.f_low = miss;
+            b.low = at;
+            b.f_low = miss;
             if (stayed == 1) b.f_high /= 2;
             stayed = 1;
         }
@@ -87,7 +89,9 @@ void add_turn_straight_turn(const Task& task, std::vector<Found>& found) {
                 if (hope < best)
                     brackets.push_back({hope, low_a + (i - 1) * step, low_a + i * step, f_before, f, total});
             }
-            f_before = f, g_before = g, length_before = around;
+            f_before = f;
+            g_before = g;
+            length_before = around;
         }
     }
     std::ranges::sort(brackets, {}, &Bracket::hope);

@@ -98,17 +98,6 @@ Polygon without_duplicate_corners(const Polygon& polygon, double tolerance) {
     while (kept.size() > 1 && distance(kept.back(), kept.front()) <= tolerance) kept.pop_back();
     return kept;
 }
-Polyline densified(const Polyline& line, double step) {
-    if (line.empty()) return {};
-    Polyline dense{line.front()};
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const Point a = line[i - 1], b = line[i];
-        const double parts = std::max(1.0, std::ceil(distance(a, b) / step));
-        for (double k = 1; k < parts; ++k) dense.push_back(between(a, b, k / parts));
-        dense.push_back(b);
-    }
-    return dense;
-}
 Point point_at(const Polyline& line, double arc) {
     for (std::size_t i = 1; i < line.size(); ++i) {
         const double d = distance(line[i - 1], line[i]);

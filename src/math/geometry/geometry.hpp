@@ -101,8 +101,6 @@ Polygon counter_clockwise(Polygon polygon);
 /// start).
 Polyline without_duplicates(const Polyline& line, double tolerance = 0);
 Polygon without_duplicate_corners(const Polygon& polygon, double tolerance = 0);
-/// The polyline cut into pieces no longer than `step`; corners are kept.
-Polyline densified(const Polyline& line, double step);
 /// The part of a polyline between two arc lengths, 0 <= from <= to <= length.
 Polyline slice(const Polyline& line, double from, double to);
 Point point_at(const Polyline& line, double arc);

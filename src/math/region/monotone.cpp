@@ -78,7 +78,8 @@ void link(std::vector<Span>& above, const std::vector<Span>& below, const std::v
             const double l = edges[below[b].left].x_at(y), r = edges[below[b].right].x_at(y);
             if (l >= right) break;
             if (std::min(right, r) - std::max(left, l) <= gap) continue;
-            ++ups[b], ++downs[a];
+            ++ups[b];
+            ++downs[a];
             only[a] = static_cast<int>(b);
         }
     }

@@ -35,8 +35,10 @@ Polygon thinned(const Polygon& ring, double tolerance) {
         double farthest = tolerance;
         std::size_t at = from;
         for (std::size_t i = from + 1; i < to; ++i)
-            if (const double d = distance_to_segment(ring[i], ring[from], ring[to % n]); d > farthest)
-                farthest = d, at = i;
+            if (const double d = distance_to_segment(ring[i], ring[from], ring[to % n]); d > farthest) {
+                farthest = d;
+                at = i;
+            }
         if (at == from) continue;
         kept[at] = true;
         open.emplace_back(from, at);

@@ -1,5 +1,5 @@
 #pragma once
-// Areas: boolean operations, insets, simplifying, cutting into parts, and who encloses whom. Built on
+// Areas: boolean operations, insets, simplifying, and cutting into parts. Built on
 // Clipper 6.4 (an integer grid fitted to the bounding box: about 1e-9 of the extent) and CGAL (optimal convex
 // parts). Metres.
 #include <vector>
@@ -53,9 +53,5 @@ std::vector<Polygon> monotone_parts(const Region& region, double direction);
 /// The fewest convex parts without new vertices: Greene 1983, by CGAL. Hole-free, simple, at most 120
 /// vertices: else an Error that says which.
 Outcome<std::vector<Polygon>> convex_parts(const Region& region);
-
-/// parent[i]: the smallest outline that encloses outline i, or -1. Touching outlines and equal ones count: of
-/// equal outlines the earlier encloses the later. Crossing outlines do not enclose each other.
-std::vector<int> nesting(const std::vector<Polygon>& outlines);
 
 }  // namespace strandline

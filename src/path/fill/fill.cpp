@@ -22,7 +22,7 @@ Stroke stroke_of(const Polyline& line, int element, const Options& options) {
     // Rings come as chords of their arcs: a robot that took each joint for a corner would stop there.
     stroke.rake_path =
         fitted(path_through(line, false), {.tolerance = options.tolerance, .smooth_angle = smooth_turn});
-    stroke.nodes = {{0, line.front(), -1}, {length(stroke), line.back(), -1}};
+    stroke.nodes = {{0, line.front(), -1}, {length(stroke.rake_path), line.back(), -1}};
     return stroke;
 }
 

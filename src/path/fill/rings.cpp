@@ -27,9 +27,10 @@ Polygon middle_ring(const Region& gap) {
     for (int i = 0; i < 12; ++i) {
         const double by = (low + high) / 2;
         const Regions thin = inset({gap}, by);
-        if (thin.size() == 1 && thin[0].holes.size() == gap.holes.size())
-            best = thin[0].outer, low = by;
-        else
+        if (thin.size() == 1 && thin[0].holes.size() == gap.holes.size()) {
+            best = thin[0].outer;
+            low = by;
+        } else
             high = by;
     }
     return best;
@@ -107,7 +108,10 @@ Foot nearest(const Ring& ring, Point p) {
         const Point a = ring.line[i], u = ring.line[i + 1 < n ? i + 1 : 0] - a, v = p - a;
         const double uu = dot(u, u), t = uu > 0 ? std::clamp(dot(v, u) / uu, 0.0, 1.0) : 0;
         const Point d = v - t * u;
-        if (const double dd = dot(d, d); dd < least) least = dd, hit = i;
+        if (const double dd = dot(d, d); dd < least) {
+            least = dd;
+            hit = i;
+        }
     }
     const Point a = ring.line[hit];
     best.at = nearest_on_segment(p, a, ring.line[hit + 1 < n ? hit + 1 : 0]);
@@ -173,7 +177,10 @@ Order driving_order(const std::vector<Ring>& rings, const Options& options) {
     std::vector<std::vector<int>> beside(rings.size());
     for (int i = 0; i < n; ++i)
         for (int j = i + 1; j < n; ++j)
-            if (neighbours(rings[i], rings[j], options)) beside[i].push_back(j), beside[j].push_back(i);
+            if (neighbours(rings[i], rings[j], options)) {
+                beside[i].push_back(j);
+                beside[j].push_back(i);
+            }
     Order order{{}, std::vector<int>(rings.size(), -1)};
     std::vector<bool> peeled(rings.size(), false);
     std::vector<int> peel;

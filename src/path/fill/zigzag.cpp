@@ -124,7 +124,10 @@ std::vector<std::vector<Polyline>> lines_of(const std::vector<Polygon>& parts, c
     std::vector<std::vector<Polyline>> lines(parts.size());
     std::vector<Box> boxes;
     Box whole;
-    for (const Polygon& part : parts) boxes.push_back(bounds(part)), whole = united(whole, boxes.back());
+    for (const Polygon& part : parts) {
+        boxes.push_back(bounds(part));
+        whole = united(whole, boxes.back());
+    }
     const auto rake = [&](const Row& row, std::size_t from, std::size_t to) {
         std::vector<Interval> open;
         std::vector<Piece> pieces;
@@ -152,7 +155,10 @@ std::vector<std::vector<Polyline>> lines_of(const std::vector<Polygon>& parts, c
             }
             Piece& last = merged.back();
             last.span.to = std::max(last.span.to, piece.span.to);
-            if (piece.share > last.share) last.part = piece.part, last.share = piece.share;
+            if (piece.share > last.share) {
+                last.part = piece.part;
+                last.share = piece.share;
+            }
         }
         for (const Piece& piece : merged)
             lines[piece.part].push_back({{piece.span.from, row.y}, {piece.span.to, row.y}});
@@ -230,10 +236,16 @@ double best_direction(const Region& region, const Regions& target, const Options
             for (Polygon& cell : monotone_parts(part, 0)) parts.push_back(std::move(cell));
         double raked = 0, turns = 0;
         for (const auto& lines : lines_of(parts, turned({region}, -direction), true, options))
-            for (const Polyline& line : lines) raked += length(line), turns += turn_cost * options.width;
+            for (const Polyline& line : lines) {
+                raked += length(line);
+                turns += turn_cost * options.width;
+            }
         const double missing = std::max(0.0, area(plain_target) / options.width - raked);
         const double cost = raked + turns + missing_cost * missing;
-        if (cost < least - 1e-9) least = cost, best = direction;
+        if (cost < least - 1e-9) {
+            least = cost;
+            best = direction;
+        }
     }
     return best;
 }
@@ -255,8 +267,11 @@ std::vector<Polyline> driven(std::vector<Polyline> lines, Point here, const Regi
     for (bool top : {false, true})
         for (bool right : {false, true}) {
             const Polyline& line = top ? lines.back() : lines.front();
-            if (const double d = distance(here, right ? line.back() : line.front()); d < best)
-                best = d, from_top = top, from_right = right;
+            if (const double d = distance(here, right ? line.back() : line.front()); d < best) {
+                best = d;
+                from_top = top;
+                from_right = right;
+            }
         }
     if (from_top) std::ranges::reverse(lines);
     std::vector<Polyline> passes;

@@ -12,12 +12,6 @@ struct Stretch {
     int stroke;
 };
 
-double length(const std::vector<Curve>& path) {
-    double sum = 0;
-    for (const Curve& curve : path) sum += strandline::length(curve);
-    return sum;
-}
-
 /// Deals a drawn leg out to the stretches it passes. `travelled`: rake arc length at the leg's start, moved
 /// on.
 void deal_out(const Leg& leg, const std::vector<Stretch>& stretches, std::size_t& at, double& travelled,

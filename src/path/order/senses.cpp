@@ -109,7 +109,10 @@ std::vector<tour::Step> with_driven_senses(const Job& job, const std::vector<tou
                 // A straight gap bounds the Dubins length from below: most pairs need not be solved.
                 if (best[i] + distance(ways[k - 1][i].end.at, ways[k][j].start.at) >= next[j]) continue;
                 const double sum = best[i] + cost(ways[k - 1][i].end, ways[k][j].start);
-                if (sum < next[j]) next[j] = sum, came_from[k][j] = i;
+                if (sum < next[j]) {
+                    next[j] = sum;
+                    came_from[k][j] = i;
+                }
             }
         best = std::move(next);
     }

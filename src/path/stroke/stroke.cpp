@@ -40,17 +40,11 @@ std::vector<Curve> rotated(const std::vector<Curve>& curves, double from) {
 
 }  // namespace
 
-double length(const Stroke& stroke) {
-    double sum = 0;
-    for (const Curve& curve : stroke.rake_path) sum += length(curve);
-    return sum;
-}
-
 std::vector<Curve> rake_path_from(const Stroke& stroke, int node, bool reverse) {
     std::vector<Curve> path = stroke.rake_path;
     if (stroke.closed && node >= 0 && node < static_cast<int>(stroke.nodes.size())) {
         const double s = stroke.nodes[static_cast<std::size_t>(node)].s;
-        if (s > at_joint && s < length(stroke) - at_joint) path = rotated(path, s);
+        if (s > at_joint && s < length(path) - at_joint) path = rotated(path, s);
     }
     if (reverse) {
         std::reverse(path.begin(), path.end());

@@ -24,11 +24,10 @@ struct Stroke {
     bool one_way = false;               ///< only in the direction given (fills)
     bool fill = false;                  ///< part of a region's fill: corners are rounded inside
     int pins = 1;                       ///< pins down, centred
-    std::vector<Node> nodes =
-        {};  ///< ascending s; open strokes: both ends at least; closed: the seam not repeated
+    /// ascending s; open strokes: both ends at least; closed: the seam not repeated
+    std::vector<Node> nodes = {};
     bool operator==(const Stroke&) const = default;
 };
-double length(const Stroke& stroke);
 
 /// Strokes that belong together and keep their order: a single line, or the fill of a region.
 struct StrokeGroup {

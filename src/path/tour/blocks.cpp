@@ -285,8 +285,11 @@ class Walk {
                 for (const bool way : {false, true}) {
                     const Block& block = all_.blocks[at(ready[k])];
                     if (!block.runs[way]) continue;
-                    if (const double d = distance_to_block(block, way); d < nearest)
-                        nearest = d, best = k, turned = way;
+                    if (const double d = distance_to_block(block, way); d < nearest) {
+                        nearest = d;
+                        best = k;
+                        turned = way;
+                    }
                 }
             const int b = ready[best];
             ready.erase(ready.begin() + static_cast<std::ptrdiff_t>(best));
@@ -309,15 +312,20 @@ class Walk {
         double best = std::numeric_limits<double>::infinity();
         if (piece.choices > 0) {
             for (int c = 0; c < piece.choices; ++c)
-                if (const double d = distance(here_, model_.choices[at(piece.first_choice + c)].at); d < best)
-                    best = d, visit.choice = c;
+                if (const double d = distance(here_, model_.choices[at(piece.first_choice + c)].at);
+                    d < best) {
+                    best = d;
+                    visit.choice = c;
+                }
             return best;
         }
         for (const bool backward : {false, true}) {
             const int wanted = fixed != 0 ? fixed : piece.direction;
             if (wanted != 0 && backward != (wanted < 0)) continue;
-            if (const double d = distance(here_, model_.ends[at(2 * p + (backward ? 1 : 0))]); d < best)
-                best = d, visit.backward = backward;
+            if (const double d = distance(here_, model_.ends[at(2 * p + (backward ? 1 : 0))]); d < best) {
+                best = d;
+                visit.backward = backward;
+            }
         }
         return best;
     }
@@ -360,7 +368,10 @@ class Walk {
                 double nearest = std::numeric_limits<double>::infinity();
                 for (std::size_t l = 0; l < left.size(); ++l) {
                     if (pending_[at(left[l])] > 0) continue;
-                    if (const double d = way_in(left[l], 0, visit); d < nearest) nearest = d, best = l;
+                    if (const double d = way_in(left[l], 0, visit); d < nearest) {
+                        nearest = d;
+                        best = l;
+                    }
                 }
                 way_in(left[best], 0, visit);
                 take(visit);

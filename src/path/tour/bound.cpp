@@ -83,8 +83,10 @@ void Bound::merge() {
             int touched = 0;
             for (int i = 0; i < 4; ++i) {
                 const int a = 2 * s + i / 2, b = 2 * u + i % 2;
-                if (const double d = gap_[at(a * width_ + b)] + price_[at(a)] + price_[at(b)]; d < best)
-                    best = d, touched = i;
+                if (const double d = gap_[at(a * width_ + b)] + price_[at(a)] + price_[at(b)]; d < best) {
+                    best = d;
+                    touched = i;
+                }
             }
             merged_[at(s * stops_ + u)] = merged_[at(u * stops_ + s)] = best;
             touched_[at(s * stops_ + u)] = touched;

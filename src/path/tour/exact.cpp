@@ -228,7 +228,10 @@ std::optional<std::vector<Visit>> prove(const Model& model, const std::vector<Vi
                 if (!gates.lets(0, -1, way)) continue;
                 if (model.piece_count() == 1) {
                     const double length = distance(lead.out, lead.in);
-                    if (length < upper - slack) upper = length, best = {{p, lead.backward, lead.choice}};
+                    if (length < upper - slack) {
+                        upper = length;
+                        best = {{p, lead.backward, lead.choice}};
+                    }
                     continue;
                 }
                 Route rest = route;

@@ -59,10 +59,9 @@ double Exchange::deeper(Search& search, int k, double gain) {
         for (; place > 0 && tries[place - 1].open < open; --place) tries[place] = tries[place - 1];
         tries[place] = {node, mate, open};
     }
-    for (int i = 0; i < widest + loose_count; ++i) {
-        if (i == count) i = widest;
-        if (i == widest + loose_count) break;
-        const auto [node, mate, open] = tries[i];
+    for (int i = 0; i < count + loose_count; ++i) {
+        const bool has_place = i < count;
+        const auto [node, mate, open] = tries[has_place ? i : widest + i - count];
         t_[2 * k] = node;
         t_[2 * k + 1] = mate;
         const double closed = open - tour.gap(mate, t_[0]);
@@ -75,7 +74,7 @@ double Exchange::deeper(Search& search, int k, double gain) {
             tour.back(mark);
             if (allowed) return closed;
         }
-        if (k + 1 < most_links && (i < widest || k <= deepest_loose))
+        if (k + 1 < most_links && (has_place || k <= deepest_loose))
             if (const double found = deeper(search, k + 1, open); found > 0) return found;
     }
     return 0;

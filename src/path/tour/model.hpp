@@ -55,7 +55,6 @@ struct Model {
 
     int piece_count() const { return static_cast<int>(pieces.size()); }
     int node_count() const { return static_cast<int>(ends.size()); }
-    int gate_piece() const { return gate ? piece_count() : -1; }
     bool is_polygon(int piece) const {
         return piece < piece_count() && pieces[static_cast<std::size_t>(piece)].choices > 0;
     }

@@ -65,8 +65,10 @@ int Tree::nearest(Point p) const {
         if (cell.alive == 0 || squared(cell.box, p) >= best) continue;
         if (cell.left < 0) {
             for (int k = cell.begin; k < cell.end; ++k)
-                if (const double d = squared(entries_[at(k)].at, p); !out_[at(k)] && d < best)
-                    best = d, found = k;
+                if (const double d = squared(entries_[at(k)].at, p); !out_[at(k)] && d < best) {
+                    best = d;
+                    found = k;
+                }
             continue;
         }
         const bool left_first =

@@ -40,8 +40,10 @@ double choose_run(Search& search, int from, int count) {
             for (int u = 0; u < last.choices; ++u) {
                 // sqrt only where it can matter: most vertices are beaten by their cost so far
                 if (cost[at(u)] >= next[at(v)]) continue;
-                if (const double d = cost[at(u)] + distance(vertex(model, last, u), p); d < next[at(v)])
-                    next[at(v)] = d, came[at(k)][at(v)] = u;
+                if (const double d = cost[at(u)] + distance(vertex(model, last, u), p); d < next[at(v)]) {
+                    next[at(v)] = d;
+                    came[at(k)][at(v)] = u;
+                }
             }
         }
         old += tour.gap(tour.node_at((from + 2 * k) % tour.nodes()),
@@ -88,7 +90,10 @@ double Revertex::evaluate(const Search& search, int piece) {
         const Point p = vertex(model, own, v);
         const double d =
             (entered ? distance(tour.at(before), p) : 0) + (left ? distance(p, tour.at(after)) : 0);
-        if (d < best) best = d, choice_ = v;
+        if (d < best) {
+            best = d;
+            choice_ = v;
+        }
     }
     piece_ = piece;
     return choice_ < 0 ? 0 : now - best;

@@ -1,6 +1,7 @@
 #include "path/tour/sequence.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace strandline::tour {
 namespace {
@@ -41,6 +42,7 @@ double Sequence::length() const {
 }
 
 int Sequence::new_order(const int* t, int k, int circle, Run* runs) const {
+    assert(k > 0);
     // Links by the place they begin at, in ring order.
     int begins[most_links], slot[2 * most_links], order[most_links];
     for (int i = 0; i < k; ++i) {

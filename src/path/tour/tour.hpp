@@ -47,8 +47,8 @@ struct Step {
 };
 struct Options {
     std::uint64_t seed = 1;
-    std::uint64_t moves =
-        0;  ///< budget of kicks; 0: chosen from the size (50 ms at 100 elements, about a second at 1,000)
+    /// budget of kicks; 0: chosen from the size (50 ms at 100 elements, about a second at 1,000)
+    std::uint64_t moves = 0;
 };
 struct Tour {
     std::vector<Step> steps;

@@ -15,7 +15,6 @@
 namespace strandline {
 
 // ---- options
-// -----------------------------------------------------------------------------------------------
 
 /// All that can be set, with defaults. Lengths in metres, angles in radians. The table of settings() names
 /// each field as "group.name" with its unit, range, choices and meaning: --set, settings files, docs and the
@@ -90,7 +89,6 @@ std::string get(const Options& options, const std::string& key);
 std::string name_of(Setting::Kind kind);
 
 // ---- edits
-// -------------------------------------------------------------------------------------------------
 
 /// A node of an element as a person names it: the element's id and the number of a node of its drawn path
 /// (0 .. n-1; -1: the last).
@@ -114,7 +112,6 @@ struct DirectionEdit {
 using Edit = std::variant<LinkEdit, EntryEdit, DirectionEdit>;
 
 // ---- the plan
-// ----------------------------------------------------------------------------------------------
 
 /// What is driven rake up from the end of strokes[from] to the start of strokes[to].
 struct PlannedConnection {

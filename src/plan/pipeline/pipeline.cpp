@@ -61,7 +61,7 @@ constexpr double most_samples = 3e6;
 Outcome<void> not_too_long(const std::vector<order::Group>& groups, const Options& options) {
     double drawn = 0;
     for (const order::Group& group : groups)
-        for (const Stroke& stroke : group.work.strokes) drawn += length(stroke);
+        for (const Stroke& stroke : group.work.strokes) drawn += length(stroke.rake_path);
     if (drawn / options.trajectory.step <= most_samples) return {};
     return fail("the drive",
                 "would draw " + number_text(std::round(drawn / 1000)) + " km, more than " +

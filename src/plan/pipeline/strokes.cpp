@@ -19,12 +19,6 @@ constexpr double most_nodes = 64;
 // bends.
 constexpr double default_spacing = 0.95;
 
-double length_of(const std::vector<Curve>& curves) {
-    double sum = 0;
-    for (const Curve& curve : curves) sum += length(curve);
-    return sum;
-}
-
 Point point_along(const std::vector<Curve>& curves, double s) {
     for (const Curve& curve : curves) {
         const double l = length(curve);
@@ -37,7 +31,7 @@ Point point_along(const std::vector<Curve>& curves, double s) {
 /// Arc lengths of the drawn nodes along the fitted curves: their share of the drawn path, drawn onto a corner
 /// of the fit when one is near (the two lengths differ by little more than the tolerance).
 std::vector<double> drawn_nodes(const Path& path, const std::vector<Curve>& curves, double tolerance) {
-    const double drawn = length(path), fitted = length_of(curves);
+    const double drawn = length(path), fitted = length(curves);
     std::vector<double> corners{0};
     for (const Curve& curve : curves) corners.push_back(corners.back() + length(curve));
     std::vector<double> nodes{0};
@@ -57,7 +51,7 @@ std::vector<double> drawn_nodes(const Path& path, const std::vector<Curve>& curv
 }
 
 std::vector<Node> nodes_of(const LineElement& line, const std::vector<Curve>& curves, double tolerance) {
-    const double total = length_of(curves);
+    const double total = length(curves);
     std::vector<Node> nodes;
     if (!line.path.closed)
         return {{0, curves.front().start.at, 0},

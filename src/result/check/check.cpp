@@ -57,7 +57,7 @@ bool finite(const Element& element) {
 
 /// A number that is none makes every comparison false: nothing else can be proved about such a plan.
 void check_finite(const Plan& plan, Faults& faults) {
-    const auto fault = [&](std::string what, Point at, int sample, int stroke, int element) {
+    const auto fault = [&](const std::string& what, Point at, int sample, int stroke, int element) {
         faults.add(1, {Law::finite, what + " holds a number that is not finite, allowed none", at, sample,
                        stroke, element});
     };

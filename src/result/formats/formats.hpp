@@ -12,6 +12,8 @@ namespace strandline::formats {
 
 /// Versioned plan file (docs/plan-format.md). What is written, read back, is the same plan, bit for bit.
 std::string write_plan(const Plan& plan);
+/// The plan file's object "robot" alone, on one line.
+std::string write_robot_json(const Robot& robot);
 /// Error: not JSON (line, column), not a plan, another version, a field missing or of the wrong kind (its
 /// JSON pointer), NaN.
 Outcome<Plan> read_plan(std::string_view text, const std::string& place);

@@ -244,4 +244,10 @@ std::string write_plan(const Plan& plan) {
     return text;
 }
 
+std::string write_robot_json(const Robot& robot) {
+    Text text;
+    PlanWriter(text).put(robot);
+    return text;
+}
+
 }  // namespace strandline::formats

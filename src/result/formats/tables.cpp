@@ -35,7 +35,7 @@ class FigureLines {
 
   private:
     void line(const char* key) {
-        add(text_, text_.size() ? ",\n\"" : "{\n\"");
+        add(text_, text_.empty() ? "{\n\"" : ",\n\"");
         add(text_, key);
         add(text_, "\": ");
     }

@@ -15,8 +15,6 @@ namespace {
 constexpr std::string_view rake_header = "x,y,pins";
 // Farther out (metres) a double no longer holds a fraction of a millimetre with room to compute.
 constexpr double farthest = 1e6;
-// The pins column is a count or a mask of at most 31 bits.
-constexpr double most_pins = 2147483647.0;
 // A path of hundreds of kilometres takes longer steps: only the states at the rows are asked for, and steps
 // end on them.
 constexpr double most_steps = 2e5;
@@ -37,7 +35,7 @@ bool is_header(std::string_view line) {
     return bare == rake_header;
 }
 
-Outcome<RakeRows::Row> read_row(std::string_view line, const std::string& place) {
+Outcome<RakeRows::Row> read_row(std::string_view line, const std::string& place, const Robot& robot) {
     double values[3];
     for (int column = 0; column < 3; ++column) {
         const std::size_t comma = line.find(',');
@@ -51,9 +49,13 @@ Outcome<RakeRows::Row> read_row(std::string_view line, const std::string& place)
     if (std::max(std::abs(values[0]), std::abs(values[1])) > farthest)
         return fail(place, "is too far from the origin",
                     fmt::format("coordinates are metres, up to {}", farthest));
-    if (!(values[2] >= 0 && values[2] <= most_pins && values[2] == std::floor(values[2])))
-        return fail(place, fmt::format("pins {} is not a whole number from 0 on", number_text(values[2])),
-                    "write how many pins are down, or their mask");
+    const unsigned all_down = pin_mask(robot, robot.pins);
+    if (!(values[2] >= 0 && values[2] <= all_down && values[2] == std::floor(values[2])))
+        return fail(
+            place,
+            fmt::format("pins {} is not a whole number from 0 to {}", number_text(values[2]), all_down),
+            fmt::format("write how many of the {} pins of {} are down, or their mask", robot.pins,
+                        robot.name));
     return RakeRows::Row{{values[0], values[1]}, static_cast<unsigned>(values[2])};
 }
 
@@ -109,7 +111,7 @@ std::vector<RobotRow> converted_stroke(const std::vector<RakeRows::Row>& rows, c
 
 }  // namespace
 
-Outcome<RakeRows> read_rake_csv(std::string_view text, const std::string& place) {
+Outcome<RakeRows> read_rake_csv(std::string_view text, const std::string& place, const Robot& robot) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
     RakeRows rows;
@@ -126,7 +128,7 @@ Outcome<RakeRows> read_rake_csv(std::string_view text, const std::string& place)
         } else if (line.empty()) {
             new_stroke = true;
         } else {
-            const auto row = read_row(line, where);
+            const auto row = read_row(line, where, robot);
             if (!row) return tl::unexpected(row.error());
             if (new_stroke) rows.strokes.emplace_back();
             new_stroke = false;

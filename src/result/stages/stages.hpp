@@ -15,7 +15,6 @@
 namespace strandline::stages {
 
 // ---- tour: one JSON object in, a bare JSON array out
-// ---------------------------------------------------------
 struct Instance {
     tour::Problem problem;
     Warnings warnings;  ///< unknown keys
@@ -24,7 +23,6 @@ Outcome<Instance> read_instance(std::string_view text, const std::string& place)
 std::string write_solution(const tour::Tour& tour);
 
 // ---- fill: one JSON object in, the same object with `strokes` out
-// ---------------------------------------------
 struct FillTask {
     Regions regions;  ///< the polygon, repaired even-odd
     std::optional<double> width;
@@ -38,7 +36,6 @@ std::string write_strokes(const FillTask& task, double width, const std::vector<
                           const std::vector<Polyline>& ways, double tolerance);
 
 // ---- connect: one JSON object a line in, the same object with R, sigma and samples out
-// ------------------------
 struct PairDefaults {
     double radius = 0.5;
     std::optional<double> sharpness;  ///< absent: 2.5 / R^2
@@ -60,7 +57,6 @@ std::string write_curve(const Pair& pair, const connect::Connection& connection,
 bool hits_obstacles(const Pair& pair, const Curve& curve);
 
 // ---- convert: CSV in, CSV out, one row a row
-// ------------------------------------------------------------------
 struct RakeRows {
     struct Row {
         Point at;
@@ -68,7 +64,8 @@ struct RakeRows {
     };
     std::vector<std::vector<Row>> strokes;
 };
-Outcome<RakeRows> read_rake_csv(std::string_view text, const std::string& place);
+/// A count of pins or their mask: more than all pins of the robot's mask is refused, as every wrong line.
+Outcome<RakeRows> read_rake_csv(std::string_view text, const std::string& place, const Robot& robot);
 /// One row of the output.
 struct RobotRow {
     Pose pose;
