@@ -21,7 +21,8 @@ struct PlanArguments {
     std::vector<std::string> links;       ///< A:V=B:W
     std::vector<std::string> entries;     ///< A:V
     std::vector<std::string> directions;  ///< A=forward|backward|ccw|cw
-    bool strict = false, open = false;
+    std::string occlusion;
+    bool invert = false, strict = false, open = false;
 };
 int plan(const PlanArguments& arguments, const Common& common);
 

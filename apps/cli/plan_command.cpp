@@ -29,6 +29,8 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
     if (done && !a.canvas.empty()) done = set_canvas(wishes.options, a.canvas);
     if (done && !a.margin.empty()) done = set(wishes.options, "canvas.margin", a.margin);
     if (done && !a.place.empty()) done = set_place(wishes.options, a.place);
+    if (done && !a.occlusion.empty()) done = set(wishes.options, "drawing.occlusion", a.occlusion);
+    if (done && a.invert) done = set(wishes.options, "ink.invert", "on");
     if (done && !a.start.empty()) done = set_start(wishes.options, a.start);
     for (const std::string& text : a.settings)
         if (done) done = set_from_text(wishes, text);

@@ -44,10 +44,11 @@ std::string summary(const Plan& plan, const check::Report& report) {
     row("robot", plan.robot.name);
     row("elements", fmt::format("{} lines, {} areas; {} strokes", f.lines, f.regions, f.strokes));
     const DrawingCounts& c = plan.drawing.counts;
-    row("drawing",
-        fmt::format(
-            "{} shapes; {} joined, {} duplicates, {} merged; left out: {} bare, {} too short, {} too small",
-            c.shapes, c.joined, c.duplicates, c.merged, c.bare, c.too_short, c.too_small));
+    row("drawing", fmt::format("{} shapes; {} joined, {} duplicates, {} merged, {} cut; left out: {} hidden, "
+                               "{} bare, {} too short, "
+                               "{} too small",
+                               c.shapes, c.joined, c.duplicates, c.merged, c.cut, c.hidden, c.bare,
+                               c.too_short, c.too_small));
     row("drawn", fmt::format("{:.2f} m of rake path", f.drawn));
     row("rake up",
         fmt::format("{:.2f} m straight / {:.2f} m Dubins bound / {:.2f} m driven{}", f.up_straight,

@@ -123,7 +123,7 @@ TEST(Placement, GrownRegionsStayInsideTheMarginToo) {
 }
 
 TEST(Placement, WhatIsNotDrawnDoesNotCount) {
-    const Drawing d = drawn({an_l[0], shape({square({-500, -500}, 2000)}, white, {}),
+    const Drawing d = drawn({shape({square({-500, -500}, 2000)}, white, {}), an_l[0],
                              shape({line({{900, 900}, {901, 900}})}, {}, start_green),
                              stroked(line({{700, 700}, {700, 700}})), filled({line({{0, 0}, {3000, 3000}})})},
                             {});

@@ -38,6 +38,17 @@ TEST(RegionBoolean, CornersThatAreShortInBinaryComeBackExactly) {
     for (Point p : corners) EXPECT_EQ(distance_to(Polyline(same[0].outer), p), 0);
 }
 
+TEST(RegionBoolean, ThePointInsideIsInsideAlsoBetweenHolesAndInABay) {
+    const auto box = [](double x, double y, double w, double h) {
+        return Polygon{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
+    };
+    // a comb: the level line through the middle meets both teeth and the bay between
+    const Region comb{{{0, 0}, {10, 0}, {10, 10}, {7, 10}, {7, 1}, {2, 1}, {2, 10}, {0, 10}}, {}};
+    EXPECT_EQ(point_inside(comb), (Point{8.5, 5}));
+    const Region holed{box(0, 0, 10, 10), {reversed(box(1, 1, 5, 8))}};
+    EXPECT_EQ(point_inside(holed), (Point{8, 5}));
+}
+
 TEST(RegionBoolean, NothingComesOfNothing) {
     EXPECT_TRUE(resolved({}, FillRule::nonzero).empty());
     EXPECT_TRUE(resolved({{{1, 1}, {2, 2}}, {{3, 3}, {3, 3}, {3, 3}}}, FillRule::even_odd).empty());

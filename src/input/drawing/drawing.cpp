@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "input/drawing/parts.hpp"
@@ -44,10 +45,10 @@ Outcome<Drawing> make_drawing(const svg::Document& document, const Robot& robot,
     drawing.canvas = options.canvas;
     drawing.counts.shapes = static_cast<int>(document.shapes.size());
 
-    Ink ink = ink_of(document, robot, options.ink_threshold);
+    Ink ink = ink_of(document, robot, options);
     drawing.counts.bare = ink.bare;
     drawing.warnings = std::move(ink.warnings);
-    if (ink.shapes.empty()) return nothing_to_draw(drawing.counts);
+    if (std::ranges::none_of(ink.shapes, &Inked::drawn)) return nothing_to_draw(drawing.counts);
 
     auto placement = placed(document, ink.shapes, robot, options);
     if (!placement) return tl::unexpected(placement.error());

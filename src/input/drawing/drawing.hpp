@@ -58,12 +58,14 @@ struct DrawingOptions {
     double min_length = 0.01;            ///< metres: shorter lines are dropped and counted
     double min_area = 0.0;               ///< m^2: smaller regions are dropped and counted
     double ink_threshold = 0.9;          ///< relative luminance above which paint is bare sand
+    bool invert = false;                 ///< light on dark: what is bright is ink, and the ground is black
+    bool occlusion = true;               ///< false: every element is drawn, whatever lies over it
 };
 
 /// What was done to the file's shapes on the way.
 struct DrawingCounts {
     int shapes = 0, joined = 0, duplicates = 0, too_short = 0, too_small = 0, bare = 0, merged = 0,
-        wide_strokes = 0;
+        wide_strokes = 0, hidden = 0, cut = 0;  ///< hidden: wholly under later paint; cut: lines, in part
     bool operator==(const DrawingCounts&) const = default;
 };
 struct Drawing {

@@ -11,6 +11,8 @@
 namespace strandline::drawing_parts {
 namespace {
 
+double sliver(double tolerance) { return tolerance * tolerance; }
+
 Cap cap_of(svg::LineCap cap) {
     switch (cap) {
         case svg::LineCap::butt:
@@ -80,54 +82,71 @@ class Ids {
     std::map<std::string, int> last_;
 };
 
+/// The shape on the canvas, by itself.
+Painted painted(const Inked& inked, const Placement& placement, const Robot& robot,
+                const DrawingOptions& options, DrawingCounts& counts) {
+    const svg::Shape& shape = *inked.shape;
+    Painted result{.shape = &shape, .pins = inked.pins};
+    std::vector<Path> paths;
+    for (const Path& path : shape.subpaths) paths.push_back(transformed(path, placement.to_canvas));
+    const double width = shape.stroke_width * placement.scale;
+
+    if (inked.fill) {
+        result.area = filled(paths, shape.fill_rule, options.tolerance);
+        // Areas below the flattening's own error are what rounding left of a fill without area.
+        const auto slivers = std::erase_if(
+            result.area, [&](const Region& region) { return area(region) < sliver(options.tolerance); });
+        if (!inked.stroke) counts.too_small += static_cast<int>(slivers);
+    }
+    const bool had_fill = !result.area.empty();
+    Inked rest = inked;
+    rest.fill = had_fill;
+    if (stroke_is_area(rest, robot, placement.scale)) {
+        result.area = had_fill ? grown_by_stroke(result.area, paths, shape, width / 2, options.tolerance)
+                               : stroked(paths, shape, width / 2, options.tolerance);
+        if (!had_fill) ++counts.wide_strokes;
+    }
+    if (had_fill && inked.stroke) ++counts.merged;
+
+    if (inked.fill_hides) result.hides = filled(paths, shape.fill_rule, options.tolerance);
+    // A bare stroke narrower than one groove is no gap that sand could show.
+    if (inked.stroke_hides && width >= robot.pin_pitch) {
+        const Regions band = stroked(paths, shape, width / 2, options.tolerance);
+        if (!result.area.empty()) result.area = subtracted(result.area, band);
+        result.hides = result.hides.empty() ? band : united(result.hides, band);
+    }
+    if (result.area.empty() && inked.stroke)
+        for (std::size_t k = 0; k < paths.size(); ++k) result.lines.push_back({k, std::move(paths[k])});
+    return result;
+}
+
 }  // namespace
 
 std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placement& placement,
                                  const Robot& robot, const DrawingOptions& options, DrawingCounts& counts,
                                  const Progress& progress) {
-    // Areas below the flattening's own error are what rounding left of a fill without area.
-    const double sliver = options.tolerance * options.tolerance;
+    std::vector<Painted> sheets;
+    for (const Inked& inked : shapes) {
+        progress.report("drawing", static_cast<double>(sheets.size()) / static_cast<double>(shapes.size()));
+        sheets.push_back(painted(inked, placement, robot, options, counts));
+    }
+    if (options.occlusion) occlude(sheets, options.tolerance, counts, progress);
+
     std::vector<Element> elements;
     Ids ids;
-    std::size_t done = 0;
-    for (const Inked& inked : shapes) {
-        progress.report("drawing", static_cast<double>(done++) / static_cast<double>(shapes.size()));
-        const svg::Shape& shape = *inked.shape;
-        std::vector<Path> paths;
-        for (const Path& path : shape.subpaths) paths.push_back(transformed(path, placement.to_canvas));
-
-        Regions area;
-        if (inked.fill) {
-            area = filled(paths, shape.fill_rule, options.tolerance);
-            const auto slivers =
-                std::erase_if(area, [&](const Region& region) { return strandline::area(region) < sliver; });
-            if (!inked.stroke) counts.too_small += static_cast<int>(slivers);
-        }
-        const bool had_fill = !area.empty();
-        Inked rest = inked;
-        rest.fill = had_fill;
-        if (stroke_is_area(rest, robot, placement.scale)) {
-            const double radius = shape.stroke_width * placement.scale / 2;
-            area = had_fill ? grown_by_stroke(area, paths, shape, radius, options.tolerance)
-                            : stroked(paths, shape, radius, options.tolerance);
-            if (!had_fill) ++counts.wide_strokes;
-        }
-        if (had_fill && inked.stroke) ++counts.merged;
-
-        if (!area.empty()) {
-            for (std::size_t piece = 0; piece < area.size(); ++piece) {
-                if (strandline::area(area[piece]) < std::max(sliver, options.min_area)) {
-                    ++counts.too_small;
-                    continue;
-                }
-                elements.push_back(
-                    {ids.next(shape.id, piece), shape.layer, RegionElement{std::move(area[piece])}});
+    for (Painted& sheet : sheets) {
+        const svg::Shape& shape = *sheet.shape;
+        for (std::size_t piece = 0; piece < sheet.area.size(); ++piece) {
+            if (area(sheet.area[piece]) < std::max(sliver(options.tolerance), options.min_area)) {
+                ++counts.too_small;
+                continue;
             }
-        } else if (inked.stroke) {
-            for (std::size_t piece = 0; piece < paths.size(); ++piece)
-                elements.push_back({ids.next(shape.id, piece), shape.layer,
-                                    LineElement{std::move(paths[piece]), inked.pins}});
+            elements.push_back(
+                {ids.next(shape.id, piece), shape.layer, RegionElement{std::move(sheet.area[piece])}});
         }
+        for (InkLine& line : sheet.lines)
+            elements.push_back({ids.next(shape.id, line.subpath), shape.layer,
+                                LineElement{std::move(line.path), sheet.pins}});
     }
     return elements;
 }

@@ -40,16 +40,31 @@ bool is_flat(const Path& path) {
                                [&](Point p) { return distance_to_segment(p, a, b) <= 1e-9 * extent; });
 }
 
-}  // namespace
-
-bool is_ink(const std::optional<svg::Paint>& paint, double ink_threshold) {
-    if (!paint || !(paint->opacity > 0)) return false;
+/// Relative luminance (IEC 61966-2-1) of the paint laid on a grey ground, 0 black to 1 white.
+double luminance(const svg::Paint& paint, double ground) {
     const auto seen = [&](unsigned char channel) {
-        return linear(1 + (channel / 255.0 - 1) * std::min(1.0, paint->opacity));
+        return linear(ground + (channel / 255.0 - ground) * std::clamp(paint.opacity, 0.0, 1.0));
     };
-    const svg::Colour c = paint->colour;
-    return 0.2126 * seen(c.r) + 0.7152 * seen(c.g) + 0.0722 * seen(c.b) <= ink_threshold;
+    const svg::Colour c = paint.colour;
+    return 0.2126 * seen(c.r) + 0.7152 * seen(c.g) + 0.0722 * seen(c.b);
 }
+
+/// What a paint does to the sheet.
+struct Effect {
+    bool ink = false;    ///< laid on white it is dark
+    bool hides = false;  ///< laid on black it is bright: no ink shows through
+};
+Effect effect_of(std::optional<svg::Paint> paint, const DrawingOptions& options) {
+    if (!paint || !(paint->opacity > 0)) return {};
+    if (options.invert) {
+        const auto negative = [](unsigned char channel) { return static_cast<unsigned char>(255 - channel); };
+        paint->colour = {negative(paint->colour.r), negative(paint->colour.g), negative(paint->colour.b)};
+    }
+    return {luminance(*paint, 1) <= options.ink_threshold,
+            options.occlusion && luminance(*paint, 0) > options.ink_threshold};
+}
+
+}  // namespace
 
 bool stroke_is_area(const Inked& inked, const Robot& robot, double scale) {
     if (!inked.stroke) return false;
@@ -59,7 +74,7 @@ bool stroke_is_area(const Inked& inked, const Robot& robot, double scale) {
     return robot.fill_wide_strokes && width > robot.rake_width();
 }
 
-Ink ink_of(const svg::Document& document, const Robot& robot, double ink_threshold) {
+Ink ink_of(const svg::Document& document, const Robot& robot, const DrawingOptions& options) {
     Ink ink;
     for (const svg::Shape& shape : document.shapes) {
         if (shape.subpaths.empty()) continue;
@@ -71,8 +86,12 @@ Ink ink_of(const svg::Document& document, const Robot& robot, double ink_thresho
             continue;
         }
         Inked inked{&shape};
-        inked.fill = is_ink(shape.fill, ink_threshold) && !std::ranges::all_of(shape.subpaths, is_flat);
-        inked.stroke = is_ink(shape.stroke, ink_threshold);
+        const Effect fill = effect_of(shape.fill, options), stroke = effect_of(shape.stroke, options);
+        const bool flat = (fill.ink || fill.hides) && std::ranges::all_of(shape.subpaths, is_flat);
+        inked.fill = fill.ink && !flat;
+        inked.stroke = stroke.ink;
+        inked.fill_hides = fill.hides && !flat;
+        inked.stroke_hides = stroke.hides;
         if (inked.stroke) {
             inked.pins = document.rake_sizes.empty()
                              ? pins_for_width(robot, shape.stroke_width)
@@ -87,10 +106,8 @@ Ink ink_of(const svg::Document& document, const Robot& robot, double ink_thresho
         } else if (shape.stroke) {
             ++ink.bare;
         }
-        if (!inked.fill && (shape.fill || !shape.stroke) &&
-            !(inked.stroke && is_ink(shape.fill, ink_threshold)))
-            ++ink.bare;
-        if (inked.fill || inked.stroke) ink.shapes.push_back(inked);
+        if (!inked.fill && (shape.fill || !shape.stroke) && !(inked.stroke && fill.ink)) ++ink.bare;
+        if (inked.drawn() || inked.fill_hides || inked.stroke_hides) ink.shapes.push_back(inked);
     }
     return ink;
 }

@@ -8,24 +8,24 @@
 
 namespace strandline::drawing_parts {
 
-/// A shape of which something is drawn.
+/// A shape of which something is drawn, or that hides what lies under it.
 struct Inked {
     const svg::Shape* shape;
-    bool fill = false, stroke = false;
-    int pins = 0;  ///< of the stroke
+    bool fill = false, stroke = false;              ///< ink
+    bool fill_hides = false, stroke_hides = false;  ///< bare paint
+    int pins = 0;                                   ///< of the stroke
+    bool drawn() const { return fill || stroke; }
 };
 
-/// What of the document is ink; bare paint is counted, the start mark (stroke #00ff00) taken out. Order kept.
+/// What of the document is ink, and what hides ink (no ground shows through it; only with occlusion on); bare
+/// paint is counted, the start mark (stroke #00ff00) taken out. Order kept.
 struct Ink {
     std::vector<Inked> shapes;
     std::optional<Point> start;  ///< user units
     int bare = 0;
     Warnings warnings;
 };
-Ink ink_of(const svg::Document& document, const Robot& robot, double ink_threshold);
-/// Does paint of that colour, laid on white, stay at or below the threshold of relative luminance (IEC
-/// 61966-2-1)?
-bool is_ink(const std::optional<svg::Paint>& paint, double ink_threshold);
+Ink ink_of(const svg::Document& document, const Robot& robot, const DrawingOptions& options);
 
 /// Does this stroke, `scale` metres a user unit, become an area by itself or grow its shape's area?
 bool stroke_is_area(const Inked& inked, const Robot& robot, double scale);
@@ -38,6 +38,23 @@ struct Placement {
 };
 Outcome<Placement> placed(const svg::Document& document, const std::vector<Inked>& shapes, const Robot& robot,
                           const DrawingOptions& options);
+
+/// A line of a shape, or what is left of it.
+struct InkLine {
+    std::size_t subpath;
+    Path path;
+};
+/// A shape on the canvas: its lines, and its area with its stroke, one or the other; the area that it hides.
+struct Painted {
+    const svg::Shape* shape;
+    int pins;
+    std::vector<InkLine> lines = {};
+    Regions area = {}, hides = {};
+};
+/// What is seen when each shape is painted over those before it: ink that a later shape hides goes, areas
+/// that overlap become one (of the earliest), lines under an area are cut. See docs/drawing.md. O(v log v log
+/// n) for n shapes of v corners in all, where most overlap few others.
+void occlude(std::vector<Painted>& shapes, double tolerance, DrawingCounts& counts, const Progress& progress);
 
 /// Elements in painting order, ids unique, `inside` not yet known.
 std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placement& placement,

@@ -30,6 +30,7 @@ Affine turning(const DrawingOptions& options) {
 Box drawn_box(const std::vector<Inked>& shapes, const Affine& turn, const Robot& robot, double scale) {
     Box box;
     for (const Inked& inked : shapes) {
+        if (!inked.drawn()) continue;
         double growth = stroke_is_area(inked, robot, scale) ? inked.shape->stroke_width / 2 : 0;
         if (growth > 0 && inked.shape->cap == svg::LineCap::square) growth *= std::numbers::sqrt2;
         for (const Path& path : inked.shape->subpaths) {

@@ -90,4 +90,27 @@ bool contains(const Regions& regions, Point p) {
     return std::ranges::any_of(regions, [&](const Region& region) { return contains(region, p); });
 }
 
+Point point_inside(const Region& region) {
+    const Box box = bounds(region.outer);
+    const double y = (box.low.y + box.high.y) / 2;
+    std::vector<double> cuts;
+    const auto add = [&](const Polygon& outline) {
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const Point a = outline[i], b = outline[i + 1 == outline.size() ? 0 : i + 1];
+            if ((a.y > y) != (b.y > y)) cuts.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+        }
+    };
+    add(region.outer);
+    for (const Polygon& hole : region.holes) add(hole);
+    std::ranges::sort(cuts);
+    Point widest{(box.low.x + box.high.x) / 2, y};
+    double width = 0;
+    for (std::size_t i = 0; i + 1 < cuts.size(); i += 2)
+        if (cuts[i + 1] - cuts[i] > width) {
+            width = cuts[i + 1] - cuts[i];
+            widest.x = (cuts[i] + cuts[i + 1]) / 2;
+        }
+    return widest;
+}
+
 }  // namespace strandline

@@ -24,6 +24,8 @@ Regions subtracted(const Regions& from, const Regions& what);
 double area(const Regions& regions);
 Box bounds(const Regions& regions);
 bool contains(const Regions& regions, Point p);
+/// A point well inside: the middle of the widest part of a level line. Error-free for a positive area. O(n).
+Point point_inside(const Region& region);
 
 /// Every point of the result is at least `by` from the outside: Euclidean, so reflex corners come out as arcs
 /// (chord error `arc_tolerance`, metres; 0: by/500). `by` < 0 grows with round corners. `arc_tolerance` is

@@ -34,9 +34,15 @@ struct Options {
         bool operator==(const Field&) const = default;
     } canvas;
     struct Draw {  // "drawing.*"
-        double tolerance = 0.002, join_tolerance = 0.005, min_length = 0.01, ink_threshold = 0.9;
+        double tolerance = 0.002, join_tolerance = 0.005, min_length = 0.01;
+        bool occlusion = true;
         bool operator==(const Draw&) const = default;
     } drawing;
+    struct Ink {  // "ink.*"
+        double threshold = 0.9;
+        bool invert = false;
+        bool operator==(const Ink&) const = default;
+    } ink;
     struct FillArea {                  // "fill.*"
         std::string style = "spiral";  // spiral | zigzag
         double spacing = 0, direction = 0;

@@ -30,7 +30,9 @@ DrawingOptions drawing_options(const Options& options) {
     o.join_tolerance = options.drawing.join_tolerance;
     o.min_length = options.drawing.min_length;
     o.min_area = options.fill.min_area;
-    o.ink_threshold = options.drawing.ink_threshold;
+    o.occlusion = options.drawing.occlusion;
+    o.ink_threshold = options.ink.threshold;
+    o.invert = options.ink.invert;
     return o;
 }
 

@@ -72,6 +72,8 @@ void fields(Either<DrawingCounts> auto& counts, Visit&& field) {
     field("bare", counts.bare);
     field("merged", counts.merged);
     field("wide_strokes", counts.wide_strokes);
+    field("hidden", counts.hidden);
+    field("cut", counts.cut);
 }
 
 template <class Visit>
