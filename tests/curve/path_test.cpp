@@ -79,5 +79,48 @@ TEST(Path, AClosedPathDoesNotRepeatItsStartInTheChords) {
     EXPECT_DOUBLE_EQ(length(square), 4);
 }
 
+TEST(Split, PiecesAddUpMeetAndLieOnThePath) {
+    Dice dice(11);
+    for (int round = 0; round < 100; ++round) {
+        const Path path = mixed_path(dice);
+        const double whole = length(path);
+        std::vector<double> arcs{-1, 0.1 * whole, 0.35 * whole, 0.35 * whole, 0.9 * whole, 2 * whole};
+        const auto places = places_at(path, arcs);
+        ASSERT_EQ(places.size(), arcs.size());
+        const auto pieces = split(path, places);
+        ASSERT_EQ(pieces.size(), arcs.size() + 1);
+        double run = 0;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (i > 0) {
+                EXPECT_EQ(pieces[i].start, end_of(pieces[i - 1]));
+            }
+            run += length(pieces[i]);
+            if (i < arcs.size()) {
+                EXPECT_NEAR(run, std::clamp(arcs[i], 0.0, whole), 1e-8 * whole);
+            }
+        }
+        EXPECT_NEAR(run, whole, 1e-8 * whole);
+        EXPECT_LT(distance(pieces[1].start, path.start), 1e-12);
+        EXPECT_TRUE(pieces[3].segments.empty());
+    }
+}
+
+TEST(Split, AHalfCircleCutInTheMiddleIsTwoQuarterArcs) {
+    const Path path{{1, 0}, {half_circle}, false};
+    const auto pieces = split(path, places_at(path, {pi / 2}));
+    ASSERT_EQ(pieces.size(), 2u);
+    EXPECT_NEAR(end_of(pieces[0]).y, 1, 1e-9);
+    EXPECT_NEAR(std::get<ArcSegment>(pieces[1].segments.at(0)).sweep, pi / 2, 1e-9);
+}
+
+TEST(Split, AtAJointNothingIsLeftOver) {
+    const Path path = path_through({{0, 0}, {1, 0}, {1, 1}}, false);
+    const auto pieces = split(path, {1.0});
+    ASSERT_EQ(pieces.size(), 2u);
+    EXPECT_EQ(pieces[0], path_through({{0, 0}, {1, 0}}, false));
+    EXPECT_EQ(pieces[1], path_through({{1, 0}, {1, 1}}, false));
+    EXPECT_EQ(split(path, {}).at(0), path);
+}
+
 }  // namespace
 }  // namespace strandline

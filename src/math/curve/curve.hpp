@@ -54,6 +54,15 @@ double length(const Path& path);
 /// Exact bounding box (extrema of each segment).
 Box bounds(const Path& path);
 
+/// A place on a path is a number: i + t is t in 0..1 along segment i.
+Point point_at(const Path& path, double place);
+/// The places at these arc lengths, which are sorted; clamped to the ends. About 1e-9 of the segment's
+/// length.
+std::vector<double> places_at(const Path& path, const std::vector<double>& arc_lengths);
+/// The path cut at sorted places, exactly: lines, arcs and cubics stay what they are. One more open path than
+/// places, without segments where two places agree. O(segments + places).
+std::vector<Path> split(const Path& path, const std::vector<double>& places);
+
 // ---- clothoid curves
 // ---------------------------------------------------------------------------------------
 

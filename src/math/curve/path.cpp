@@ -26,7 +26,7 @@ Visitor(Ts...) -> Visitor<Ts...>;
 double speed_integral(Point from, const Segment& segment, double t0, double t1) {
     double sum = 0;
     quadrature::panel(t0, t1, [&](double t, double weight) {
-        sum += weight * length(segments::jet(from, segment, t).velocity);
+        sum += weight * strandline::length(segments::jet(from, segment, t).velocity);
     });
     return sum;
 }
@@ -39,12 +39,6 @@ double refined_length(Point from, const Segment& segment, double t0, double t1, 
     if (depth == 0 || !(std::abs(first + second - whole) > accuracy)) return first + second;
     return refined_length(from, segment, t0, middle, first, accuracy, depth - 1) +
            refined_length(from, segment, middle, t1, second, accuracy, depth - 1);
-}
-
-double length(Point from, const Segment& segment) {
-    if (const auto* line = std::get_if<LineSegment>(&segment)) return distance(from, line->to);
-    const double whole = speed_integral(from, segment, 0, 1);
-    return refined_length(from, segment, 0, 1, whole, length_accuracy * whole, length_depth);
 }
 
 /// Parameters in (0, 1) where a cubic coordinate with these four controls stands still.
@@ -98,6 +92,12 @@ Point point(Point from, const Segment& segment, double t) {
     if (t <= 0) return from;
     if (t >= 1) return end_of(segment);
     return jet(from, segment, t).at;
+}
+
+double length(Point from, const Segment& segment, double t0, double t1) {
+    if (const auto* line = std::get_if<LineSegment>(&segment)) return (t1 - t0) * distance(from, line->to);
+    const double whole = speed_integral(from, segment, t0, t1);
+    return refined_length(from, segment, t0, t1, whole, length_accuracy * whole, length_depth);
 }
 
 double acceleration_bound(Point from, const Segment& segment) {
@@ -190,7 +190,7 @@ double length(const Path& path) {
     double sum = 0;
     Point from = path.start;
     for (const Segment& segment : path.segments) {
-        sum += length(from, segment);
+        sum += segments::length(from, segment);
         from = end_of(segment);
     }
     return sum;

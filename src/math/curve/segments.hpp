@@ -10,6 +10,14 @@ struct Jet {
 };
 Jet jet(Point from, const Segment& segment, double t);
 Point point(Point from, const Segment& segment, double t);
+/// Arc length from t0 to t1, to about 1e-10 relative.
+double length(Point from, const Segment& segment, double t0 = 0, double t1 = 1);
+/// The part from t0 to t1, and where it starts.
+struct Part {
+    Point start;
+    Segment segment;
+};
+Part part(Point from, const Segment& segment, double t0, double t1);
 /// An upper bound of |P''| over the whole segment.
 double acceleration_bound(Point from, const Segment& segment);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
+#include "math/curve/curve.hpp"
 #include "math/geometry/geometry.hpp"
 
 namespace strandline {
@@ -39,6 +40,37 @@ struct LineParts {
     std::vector<Polyline> inside, outside;
 };
 LineParts parted(const Polyline& line, const Regions& regions);
+
+/// The same of an exact path: its pieces stay exact, in order along it. A closed path that is wholly on one
+/// side stays closed; one that crosses gives open pieces, the one over its start in one.
+struct PathParts {
+    std::vector<Path> inside, outside;
+};
+/// Answers many questions about one area: its edges in level bands. Built in O(edges x bands met), about
+/// 2 sqrt(edges) bands; a question reads only the bands it meets. Const after construction.
+class AreaIndex {
+  public:
+    explicit AreaIndex(const Regions& regions);
+    /// Even-odd; points exactly on the outline may go either way.
+    bool contains(Point p) const;
+    enum class Cover { inside, outside, crossed };
+    /// Does the area hold the whole box, nothing of it, or does an outline come into it?
+    Cover cover_of(Box box) const;
+    /// Crossings are sought on chords within `tolerance` of the path, then placed on the path itself to
+    /// rounding: a bulge over an edge by less than the tolerance may be missed.
+    PathParts parted(const Path& path, double tolerance) const;
+    const Box& bounds() const { return box_; }
+
+  private:
+    struct Edge {
+        Point a, b;
+    };
+    std::size_t band_of(double y) const;
+    Box box_;
+    double band_height_ = 0;
+    std::vector<Edge> edges_;
+    std::vector<std::size_t> band_starts_, band_edges_;  ///< edges of band i: band_edges_[starts[i]..[i + 1])
+};
 
 /// Cut by a straight line through two points: parts on its left, then on its right.
 struct Halves {
