@@ -95,6 +95,9 @@ std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placeme
         const svg::Shape& shape = *inked.shape;
         std::vector<Path> paths;
         for (const Path& path : shape.subpaths) paths.push_back(transformed(path, placement.to_canvas));
+        std::vector<Path> lines = shape.lines ? std::vector<Path>{} : paths;  // what the stroke follows
+        if (shape.lines)
+            for (const Path& path : *shape.lines) lines.push_back(transformed(path, placement.to_canvas));
 
         Regions area;
         if (inked.fill) {
@@ -108,8 +111,8 @@ std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placeme
         rest.fill = had_fill;
         if (stroke_is_area(rest, robot, placement.scale)) {
             const double radius = shape.stroke_width * placement.scale / 2;
-            area = had_fill ? grown_by_stroke(area, paths, shape, radius, options.tolerance)
-                            : stroked(paths, shape, radius, options.tolerance);
+            area = had_fill ? grown_by_stroke(area, lines, shape, radius, options.tolerance)
+                            : stroked(lines, shape, radius, options.tolerance);
             if (!had_fill) ++counts.wide_strokes;
         }
         if (had_fill && inked.stroke) ++counts.merged;
@@ -124,9 +127,9 @@ std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placeme
                     {ids.next(shape.id, piece), shape.layer, RegionElement{std::move(area[piece])}});
             }
         } else if (inked.stroke) {
-            for (std::size_t piece = 0; piece < paths.size(); ++piece)
+            for (std::size_t piece = 0; piece < lines.size(); ++piece)
                 elements.push_back({ids.next(shape.id, piece), shape.layer,
-                                    LineElement{std::move(paths[piece]), inked.pins}});
+                                    LineElement{std::move(lines[piece]), inked.pins}});
         }
     }
     return elements;

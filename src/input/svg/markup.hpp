@@ -18,6 +18,7 @@ struct Markup {
     std::vector<std::size_t> line_starts;
     pugi::xml_document tree;
     Warnings warnings;
+    bool by_illustrator = false;  ///< its opening comment names Adobe Illustrator
 };
 
 /// UTF-8 (with or without mark), UTF-16, UTF-32 and Latin-1 by mark, pattern or declaration; what is not

@@ -148,6 +148,16 @@ std::vector<Setting> make_table() {
          {},
          "",
          [](Options& o) -> Field { return &o.drawing.ink_threshold; }},
+        {"drawing.dpi",
+         "px to the inch in the SVG: 96 of browsers, 90 of old Inkscape, 72 of Illustrator; 0: 96, or 90 "
+         "where "
+         "an Inkscape before 0.92 wrote it",
+         Kind::number,
+         0,
+         1e5,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.drawing.dpi; }},
         {"fill.style",
          "how areas are raked",
          Kind::choice,
