@@ -140,6 +140,17 @@ TEST(Entities, IllustratorsNamespacesAndStylesArePutIn) {
     EXPECT_EQ(document.shapes[0].line, 6);
 }
 
+TEST(Entities, MayHoldElementsAndQuotesAndKeepTheLines) {
+    const auto document = read_well(
+        "<!DOCTYPE svg [\n<!ENTITY eye '<circle id=\"eye\" r=\"2\"\n/>'><!ENTITY font \"'A', \"><!ENTITY "
+        "less '<'>\n]>\n<svg><!-- &eye; --><desc>&less;a/></desc><g>&eye;</g>\n"
+        "<path style='font-family:&font;serif;fill:red' d='M0 0h1v1z'/></svg>");
+    ASSERT_EQ(document.shapes.size(), 2u) << all_warnings(document);
+    EXPECT_EQ(document.shapes[0].id, "eye");
+    EXPECT_EQ(document.shapes[1].line, 6);
+    EXPECT_EQ(document.shapes[1].fill->colour, (Colour{255, 0, 0}));
+}
+
 TEST(Encodings, Utf16Latin1AndAMarkAreRead) {
     const std::string text = "<svg><path id='\xC3\xA9' d='M0 0h1'/></svg>";
     EXPECT_EQ(read_well("\xEF\xBB\xBF" + text).shapes.at(0).id, "\xC3\xA9");
