@@ -44,7 +44,7 @@ std::vector<Path> clipped_area(const std::vector<Path>& outline, strandline::Fil
                                const Clip& clip) {
     std::vector<Polygon> polygons;
     append_polygons(outline, polygons);
-    const auto left = intersected(resolved(polygons, rule), clip.regions);
+    const auto left = resolved_within(polygons, rule, clip.regions);
     std::vector<Path> paths;
     for (const auto& [outer, holes] : left) {
         paths.push_back(path_through(outer, true));

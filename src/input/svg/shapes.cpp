@@ -109,6 +109,10 @@ std::optional<std::vector<Path>> dashes_of(Walk& walk, pugi::xml_node node, cons
     return all;
 }
 
+strandline::FillRule region_rule(FillRule rule) {
+    return rule == FillRule::even_odd ? strandline::FillRule::even_odd : strandline::FillRule::nonzero;
+}
+
 /// Cuts subpaths (the fill) and lines (the stroke, where it does not follow the subpaths) to the clip; paint
 /// that has nothing left is taken off.
 void cut(Shape& shape, std::optional<std::vector<Path>>& lines, Clip& clip) {
@@ -124,10 +128,7 @@ void cut(Shape& shape, std::optional<std::vector<Path>>& lines, Clip& clip) {
         if (left != stroked) lines = std::move(left);
     }
     if (shape.fill && clip.index.cover_of(bounds_of(shape.subpaths)) != AreaIndex::Cover::inside) {
-        auto left = clipped_area(shape.subpaths,
-                                 shape.fill_rule == FillRule::even_odd ? strandline::FillRule::even_odd
-                                                                       : strandline::FillRule::nonzero,
-                                 clip);
+        auto left = clipped_area(shape.subpaths, region_rule(shape.fill_rule), clip);
         if (shape.stroke && !lines) lines = shape.subpaths;
         shape.subpaths = std::move(left);
         shape.fill_rule = FillRule::nonzero;
@@ -243,10 +244,9 @@ void add_outline(Walk& walk, pugi::xml_node node, const std::vector<Path>& outli
     } else if (collected.purpose == Purpose::outlines) {
         std::vector<Polygon> polygons;
         append_polygons(mapped, polygons);
+        const auto rule = region_rule(around.style.clip_rule);
         auto area =
-            resolved(polygons, around.style.clip_rule == FillRule::even_odd ? strandline::FillRule::even_odd
-                                                                            : strandline::FillRule::nonzero);
-        if (around.clip) area = intersected(area, around.clip->regions);
+            around.clip ? resolved_within(polygons, rule, around.clip->regions) : resolved(polygons, rule);
         for (auto& [outer, holes] : area) {
             collected.outlines.push_back(std::move(outer));
             std::ranges::move(holes, std::back_inserter(collected.outlines));
