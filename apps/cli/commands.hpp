@@ -16,7 +16,7 @@ struct Common {
 };
 
 struct PlanArguments {
-    std::string input, output = "-", robot, config, canvas, place, margin, start;
+    std::string input, output = "-", robot, config, canvas, place, margin, dpi, start;
     std::vector<std::string> settings;    ///< key=value, also robot.field=value
     std::vector<std::string> links;       ///< A:V=B:W
     std::vector<std::string> entries;     ///< A:V

@@ -29,6 +29,7 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->add_option("--place", a.place, "fit | actual | width=10m | scale=1:50");
     plan->add_option("--occlusion", a.occlusion, "on | off: off draws what later shapes cover too");
     plan->add_flag("--invert", a.invert, "the drawing is light on dark: rake what is bright");
+    plan->add_option("--dpi", a.dpi, "px to the inch in the SVG, for --place actual; default 96");
     plan->add_option("--start", a.start, "X,Y: begin near this point (metres, origin lower left)");
     plan->add_option("--link", a.links, "A:V=B:W: drive from node V of element A to node W of element B");
     plan->add_option("--entry", a.entries, "A:V: enter element A at its node V (-1: its last)");

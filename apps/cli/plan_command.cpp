@@ -31,6 +31,7 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
     if (done && !a.place.empty()) done = set_place(wishes.options, a.place);
     if (done && !a.occlusion.empty()) done = set(wishes.options, "drawing.occlusion", a.occlusion);
     if (done && a.invert) done = set(wishes.options, "ink.invert", "on");
+    if (done && !a.dpi.empty()) done = set(wishes.options, "drawing.dpi", a.dpi);
     if (done && !a.start.empty()) done = set_start(wishes.options, a.start);
     for (const std::string& text : a.settings)
         if (done) done = set_from_text(wishes, text);

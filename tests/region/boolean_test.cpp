@@ -97,5 +97,16 @@ TEST(RegionBoolean, ALineThatMissesCutsNothingOff) {
     EXPECT_NEAR(area(cut(whole, {1e9, 0}, {1e9, 1}).left), 4, 1e-8);
 }
 
+TEST(Boolean, ResolvingWithinAnAreaIsResolvingAndIntersecting) {
+    const Polygon star{{0, 0}, {4, 10}, {8, 0}, {-1, 6}, {9, 6}};
+    const Regions window{{{{0, 0}, {5, 0}, {5, 5}, {0, 5}}, {}}};
+    for (const auto rule : {FillRule::nonzero, FillRule::even_odd}) {
+        const auto both = intersected(resolved({star}, rule), window);
+        EXPECT_NEAR(area(resolved_within({star}, rule, window)), area(both), 1e-6);
+        EXPECT_GT(area(both), 1);
+    }
+    EXPECT_TRUE(resolved_within({star}, FillRule::nonzero, {}).empty());
+}
+
 }  // namespace
 }  // namespace strandline

@@ -83,12 +83,13 @@ TEST(Refusals, NumbersThatAreNotFiniteOrTooLargeAreRefusedWithTheirPlace) {
 
 TEST(Refusals, LimitsAreKept) {
     const std::string text = "<svg><g><g><path d='M0 0h1h1h1'/></g></g></svg>";
-    EXPECT_TRUE(read(text, {.depth = 4, .elements = 4, .segments = 3}));
-    EXPECT_EQ(read(text, {.depth = 3}).error().reason, "elements are nested deeper than 3");
-    EXPECT_EQ(read(text, {.elements = 3}).error().reason, "more than 3 elements in the file");
-    EXPECT_EQ(read(text, {.segments = 2}).error().reason, "more than 2 path segments in the file");
-    EXPECT_FALSE(read("<svg><rect width='1' height='1'/></svg>", {.segments = 2}));
-    EXPECT_FALSE(read(text, {.bytes = 10}));
+    EXPECT_TRUE(read(text, {.limits = {.depth = 4, .elements = 4, .segments = 3}}));
+    EXPECT_EQ(read(text, {.limits = {.depth = 3}}).error().reason, "elements are nested deeper than 3");
+    EXPECT_EQ(read(text, {.limits = {.elements = 3}}).error().reason, "more than 3 elements in the file");
+    EXPECT_EQ(read(text, {.limits = {.segments = 2}}).error().reason,
+              "more than 2 path segments in the file");
+    EXPECT_FALSE(read("<svg><rect width='1' height='1'/></svg>", {.limits = {.segments = 2}}));
+    EXPECT_FALSE(read(text, {.limits = {.bytes = 10}}));
 }
 
 TEST(Refusals, ManyThousandLevelsAreRefusedNotACrash) {

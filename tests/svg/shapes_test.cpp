@@ -140,7 +140,9 @@ TEST(Transforms, AViewBoxOfANestedSvgIsFitted) {
     expect_box("<svg width='40' height='20' viewBox='0 0 10 10' preserveAspectRatio='none'>" + inner, {0, 0},
                {40, 20});
     expect_box(
-        "<svg width='40' height='20' viewBox='0 0 10 10' preserveAspectRatio='xMaxYMin slice'>" + inner,
+        "<svg width='40' height='20' viewBox='0 0 10 10' preserveAspectRatio='xMaxYMin slice' "
+        "overflow='visible'>" +
+            inner,
         {0, 0}, {40, 40});
     expect_box("<svg x='50%' width='40' height='20'>" + inner, {50, 0}, {60, 10});
 }

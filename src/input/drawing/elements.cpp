@@ -89,6 +89,9 @@ Painted painted(const Inked& inked, const Placement& placement, const Robot& rob
     Painted result{.shape = &shape, .pins = inked.pins};
     std::vector<Path> paths;
     for (const Path& path : shape.subpaths) paths.push_back(transformed(path, placement.to_canvas));
+    std::vector<Path> lines = shape.lines ? std::vector<Path>{} : paths;  // what the stroke follows
+    if (shape.lines)
+        for (const Path& path : *shape.lines) lines.push_back(transformed(path, placement.to_canvas));
     const double width = shape.stroke_width * placement.scale;
 
     if (inked.fill) {
@@ -102,8 +105,8 @@ Painted painted(const Inked& inked, const Placement& placement, const Robot& rob
     Inked rest = inked;
     rest.fill = had_fill;
     if (stroke_is_area(rest, robot, placement.scale)) {
-        result.area = had_fill ? grown_by_stroke(result.area, paths, shape, width / 2, options.tolerance)
-                               : stroked(paths, shape, width / 2, options.tolerance);
+        result.area = had_fill ? grown_by_stroke(result.area, lines, shape, width / 2, options.tolerance)
+                               : stroked(lines, shape, width / 2, options.tolerance);
         if (!had_fill) ++counts.wide_strokes;
     }
     if (had_fill && inked.stroke) ++counts.merged;
@@ -111,12 +114,12 @@ Painted painted(const Inked& inked, const Placement& placement, const Robot& rob
     if (inked.fill_hides) result.hides = filled(paths, shape.fill_rule, options.tolerance);
     // A bare stroke narrower than one groove is no gap that sand could show.
     if (inked.stroke_hides && width >= robot.pin_pitch) {
-        const Regions band = stroked(paths, shape, width / 2, options.tolerance);
+        const Regions band = stroked(lines, shape, width / 2, options.tolerance);
         if (!result.area.empty()) result.area = subtracted(result.area, band);
         result.hides = result.hides.empty() ? band : united(result.hides, band);
     }
     if (result.area.empty() && inked.stroke)
-        for (std::size_t k = 0; k < paths.size(); ++k) result.lines.push_back({k, std::move(paths[k])});
+        for (std::size_t k = 0; k < lines.size(); ++k) result.lines.push_back({k, std::move(lines[k])});
     return result;
 }
 

@@ -8,7 +8,7 @@
 namespace strandline::drawing_parts {
 namespace {
 
-constexpr double metres_per_px = 0.0254 / 96;  // CSS, and SVG without a physical size
+constexpr double metres_per_inch = 0.0254;
 
 std::optional<double> physical_scale(const svg::Document& document) {
     if (!document.size_metres) return std::nullopt;
@@ -33,12 +33,16 @@ Box drawn_box(const std::vector<Inked>& shapes, const Affine& turn, const Robot&
         if (!inked.drawn()) continue;
         double growth = stroke_is_area(inked, robot, scale) ? inked.shape->stroke_width / 2 : 0;
         if (growth > 0 && inked.shape->cap == svg::LineCap::square) growth *= std::numbers::sqrt2;
-        for (const Path& path : inked.shape->subpaths) {
+        const auto add = [&](const Path& path, double grow) {
             const Box one = bounds(transformed(path, turn));
             // A dot is too short to be drawn; a far-away one must not shrink the rest.
-            if (growth == 0 && one.width() == 0 && one.height() == 0) continue;
-            box = united(box, grown(one, growth));
-        }
+            if (grow > 0 || one.width() > 0 || one.height() > 0) box = united(box, grown(one, grow));
+        };
+        const bool apart = inked.shape->lines.has_value();  // the stroke does not follow the fill's outline
+        for (const Path& path : inked.shape->subpaths)
+            if (inked.fill || !apart) add(path, apart ? 0 : growth);
+        if (inked.stroke && apart)
+            for (const Path& path : *inked.shape->lines) add(path, growth);
     }
     return box;
 }
@@ -52,7 +56,7 @@ double fit_scale(Box box, const DrawingOptions& options) {
 }
 
 Outcome<double> scale_for(Box box, const svg::Document& document, const DrawingOptions& options) {
-    const double own_size = physical_scale(document).value_or(metres_per_px);
+    const double own_size = physical_scale(document).value_or(metres_per_inch / document.dpi);
     switch (options.place) {
         case Place::fit:
             return fit_scale(box, options);
@@ -131,7 +135,10 @@ Outcome<Placement> placed(const svg::Document& document, const std::vector<Inked
         placement.scale_denominator = *own / *scale;
     else if (options.place == Place::actual || options.place == Place::scale)
         placement.warnings.push_back(
-            {"drawing", "the file states no physical size: its units are taken as px of 96 dpi"});
+            {"drawing", fmt::format("the file states no physical size: its units are taken as px of {:g} dpi",
+                                    document.dpi)});
+    if (document.size_doubt && (options.place == Place::actual || options.place == Place::scale))
+        placement.warnings.push_back(*document.size_doubt);
 
     const Canvas& canvas = options.canvas;
     const Point low =

@@ -7,8 +7,9 @@ namespace strandline::svg {
 
 namespace {
 
-constexpr std::string_view no_text = "text is not supported yet: left out",
-                           no_image = "images are not drawn: left out";
+constexpr std::string_view no_image = "images are not drawn: left out";
+constexpr std::string_view no_flow =
+    "flowing text (flowRoot) is not supported: left out (turn it into paths)";
 
 /// Sorted by name.
 constexpr std::array kinds = std::to_array<NamedKind>({
@@ -26,7 +27,7 @@ constexpr std::array kinds = std::to_array<NamedKind>({
     {"desc", Kind::silent, {}},
     {"ellipse", Kind::ellipse, {}},
     {"filter", Kind::silent, {}},
-    {"flowRoot", Kind::left_out, no_text},
+    {"flowRoot", Kind::left_out, no_flow},
     {"font", Kind::silent, {}},
     {"font-face", Kind::silent, {}},
     {"foreignObject", Kind::left_out, "foreignObject is not drawn: left out"},
@@ -49,13 +50,13 @@ constexpr std::array kinds = std::to_array<NamedKind>({
     {"script", Kind::left_out, "scripts are not run: left out"},
     {"set", Kind::left_out, "animations are not played: left out"},
     {"solidColor", Kind::silent, {}},
-    {"style", Kind::left_out, "style sheets are not supported yet: their rules are not followed"},
+    {"style", Kind::silent, {}},
     {"svg", Kind::nested_svg, {}},
     {"switch", Kind::choice, {}},
-    {"symbol", Kind::silent, {}},
-    {"text", Kind::left_out, no_text},
+    {"symbol", Kind::symbol, {}},
+    {"text", Kind::text, {}},
     {"title", Kind::silent, {}},
-    {"use", Kind::left_out, "<use> is not supported yet: left out"},
+    {"use", Kind::use, {}},
     {"view", Kind::silent, {}},
 });
 static_assert(std::ranges::is_sorted(kinds, {}, &NamedKind::name));

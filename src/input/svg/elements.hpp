@@ -4,12 +4,16 @@
 
 namespace strandline::svg {
 
-/// `silent` never draw by themselves; `left_out` would draw (or change what is drawn), and we say so.
+/// `silent` never draw by themselves, `symbol` only through <use>; `left_out` would draw (or change what is
+/// drawn), and we say so.
 enum class Kind {
     unknown,
     group,
     nested_svg,
     choice,
+    use,
+    symbol,
+    text,
     path,
     rect,
     circle,

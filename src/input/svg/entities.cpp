@@ -1,8 +1,10 @@
 // Entities of the DOCTYPE's internal subset. Illustrator names its namespaces and styles so:
-// xmlns="&ns_svg;". pugixml leaves them as they are; we put values into attributes, and refuse what grows
-// beyond any honest use before anything is expanded.
+// xmlns="&ns_svg;". pugixml leaves them as they are; we put their values into the text before it is parsed,
+// in attributes and between tags (there they may hold elements), and refuse what grows beyond any honest use
+// before anything is expanded.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -14,7 +16,7 @@ namespace strandline::svg {
 namespace {
 
 constexpr std::size_t largest_expansion = 100'000;  // characters of one entity with all entities in it
-constexpr std::size_t largest_total = 64u << 20;    // characters of all attributes that name one
+constexpr std::size_t largest_total = 64u << 20;    // characters that all entities of a file put in
 constexpr std::size_t reference_cost = 1;           // so that a bomb of empty entities counts too
 constexpr int deepest = 32;                         // entities in entities
 
@@ -116,17 +118,84 @@ void expand(std::string_view value, Entities& entities, std::string& out) {
         [&](std::string_view, Entity& inner) { expand(inner.value, entities, out); });
 }
 
+/// Where `end` ends, or the end of the text.
+std::size_t behind(std::string_view text, std::string_view end, std::size_t from) {
+    const auto at = text.find(end, from);
+    return at == std::string_view::npos ? text.size() : at + end.size();
+}
+
+/// From "<!DOCTYPE" to behind its '>', quotes, comments and brackets followed; nothing when there is none.
+std::string_view doctype_of(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size() && !text.substr(at).starts_with("<!DOCTYPE")) {
+        if (is_space(text[at]))
+            ++at;
+        else if (text.substr(at).starts_with("<?"))
+            at = behind(text, "?>", at);
+        else if (text.substr(at).starts_with("<!--"))
+            at = behind(text, "-->", at);
+        else
+            return {};
+    }
+    const auto start = at;
+    int brackets = 0;
+    while (at < text.size()) {
+        const char c = text[at];
+        if (c == '"' || c == '\'') {
+            at = behind(text, text.substr(at, 1), at + 1);
+        } else if (text.substr(at).starts_with("<!--")) {
+            at = behind(text, "-->", at);
+        } else {
+            brackets += c == '[' ? 1 : c == ']' ? -1 : 0;
+            ++at;
+            if (c == '>' && brackets <= 0) return text.substr(start, at - start);
+        }
+    }
+    return {};
+}
+
+/// Lines are kept, so that places stay true; in a tag nothing of the value may end it.
+void append_value(std::string_view value, bool in_tag, std::string& out) {
+    for (const char c : value) {
+        if (c == '\n' || c == '\r')
+            out += ' ';
+        else if (in_tag && c == '<')
+            out += "&lt;";
+        else if (in_tag && c == '"')
+            out += "&quot;";
+        else if (in_tag && c == '\'')
+            out += "&apos;";
+        else
+            out += c;
+    }
+}
+
+/// The end of what begins at `at`: a comment, CDATA, <?...?>, a tag (`in_tag`), or the text up to the next
+/// '<'.
+std::size_t piece_end(std::string_view text, std::size_t at, bool& in_tag, bool& literal) {
+    const auto rest = text.substr(at);
+    in_tag = literal = false;
+    if (rest[0] != '<') return std::min(text.find('<', at), text.size());
+    literal = true;
+    if (rest.starts_with("<!--")) return behind(text, "-->", at);
+    if (rest.starts_with("<![CDATA[")) return behind(text, "]]>", at);
+    if (rest.starts_with("<?")) return behind(text, "?>", at);
+    literal = false;
+    in_tag = true;
+    while (++at < text.size() && text[at] != '>')
+        if (text[at] == '"' || text[at] == '\'') at = behind(text, text.substr(at, 1), at + 1) - 1;
+    return std::min(at + 1, text.size());
+}
+
 }  // namespace
 
-Outcome<void> expand_entities(Markup& markup) {
-    const auto doctype = [&] {
-        for (const auto node : markup.tree.children())
-            if (node.type() == pugi::node_doctype) return node;
-        return pugi::xml_node{};
-    }();
-    auto entities = definitions(doctype.value());
+Outcome<void> expand_entities(std::string& text) {
+    const auto doctype = doctype_of(text);
+    auto entities = definitions(doctype);
     if (entities.empty()) return {};
-    const auto place = fmt::format("line {}, <!DOCTYPE>", spot_of(markup, doctype).line);
+    const auto start = static_cast<std::size_t>(doctype.data() - text.data());
+    const auto place = fmt::format(
+        "line {}, <!DOCTYPE>", 1 + std::count(text.begin(), text.begin() + static_cast<long>(start), '\n'));
     const auto bomb = [&](std::string_view what) {
         return fail(place, std::string(what), "an entity bomb? remove the DOCTYPE from the file");
     };
@@ -134,36 +203,30 @@ Outcome<void> expand_entities(Markup& markup) {
         if (!measure(entity, entities, 0))
             return bomb(fmt::format("the entity &{}; grows beyond {} characters or names itself",
                                     clipped(name), largest_expansion));
-    for (const auto& [name, entity] : entities)
-        if (entity.value.find('<') != std::string_view::npos) {
-            markup.warnings.push_back(
-                {place, "entities that hold elements are not put in: what they draw is left out"});
-            break;
-        }
-    std::size_t total = 0;
-    std::string value;
-    for (auto node = markup.tree.document_element(); node;) {
-        for (auto attribute : node.attributes()) {
-            const std::string_view raw = attribute.value();
-            if (raw.find('&') == std::string_view::npos) continue;
-            value.clear();
-            std::size_t size = 0;
-            each_part(
-                raw, entities, [&](std::string_view piece) { size += piece.size(); },
-                [&](std::string_view, Entity& inner) { size += *inner.size + reference_cost; });
-            total += size;
-            if (total > largest_total)
-                return bomb(fmt::format("entities grow the file beyond {} characters", largest_total));
-            expand(raw, entities, value);
-            attribute.set_value(value.c_str());
-        }
-        if (const auto child = node.first_child()) {  // next in document order, without recursion
-            node = child;
+    std::size_t total = 0, at = start + doctype.size();
+    std::string out = text.substr(0, at), value;
+    while (at < text.size() && total <= largest_total) {
+        bool in_tag = false, literal = false;
+        const auto end = piece_end(text, at, in_tag, literal);
+        const auto piece = std::string_view(text).substr(at, end - at);
+        at = end;
+        if (literal || piece.find('&') == std::string_view::npos) {
+            out += piece;
             continue;
         }
-        while (node && !node.next_sibling()) node = node.parent();
-        if (node) node = node.next_sibling();
+        each_part(
+            piece, entities, [&](std::string_view plain) { out += plain; },
+            [&](std::string_view, Entity& entity) {
+                total += *entity.size + reference_cost;
+                if (total > largest_total) return;
+                value.clear();
+                expand(entity.value, entities, value);
+                append_value(value, in_tag, out);
+            });
     }
+    if (total > largest_total)
+        return bomb(fmt::format("entities grow the file beyond {} characters", largest_total));
+    text = std::move(out);
     return {};
 }
 

@@ -9,15 +9,16 @@ namespace strandline::svg {
 
 namespace {
 
-constexpr double metres_per_pixel = 0.0254 / 96;  // CSS: 96 px are one inch
+constexpr double metres_per_inch = 0.0254;
 
 struct Extent {
     std::optional<double> pixels;  ///< absent: none, auto, %, or not understood
+    bool in_px = false;            ///< it has no unit of length, or px
 };
-Outcome<Extent> extent_of(pugi::xml_node root, const char* name, Axis axis, Notes& notes) {
+Outcome<Extent> extent_of(pugi::xml_node root, const char* name, Axis axis, double dpi, Notes& notes) {
     const auto text = trimmed(root.attribute(name).value());
     if (text.empty() || text == "auto") return Extent{};
-    const auto length = read_length(text, axis, {}, 16);
+    const auto length = read_length(text, axis, {0, 0, dpi}, 16);
     if (length.state == ValueState::refused)
         return fail(place_of(notes.markup, root),
                     fmt::format("{} is not finite or beyond {:g}", name, largest_number),
@@ -31,7 +32,27 @@ Outcome<Extent> extent_of(pugi::xml_node root, const char* name, Axis axis, Note
         note(notes, "a width or height of zero or less: passed over", root, text);
         return Extent{};
     }
-    return Extent{length.value};
+    const char last = text.back();
+    return Extent{length.value, text.ends_with("px") || last == '.' || (last >= '0' && last <= '9')};
+}
+
+/// SVG 2, 8.2, for a page of w x h px: under `none` the units are stretched until they are square, under
+/// `slice` what shows is less than the viewBox.
+void follow_aspect(Frame& frame, double w, double h, std::string_view aspect) {
+    const Box view = *frame.view;
+    if (aspect.starts_with("none")) {
+        const double stretch = h * view.width() / (w * view.height());
+        constexpr double visible_difference = 1e-9;
+        if (std::abs(stretch - 1) < visible_difference) return;
+        frame.map = {1, 0, 0, stretch, 0, 0};
+        frame.pixels_per_unit = w / view.width();
+        frame.view = Box{apply(frame.map, view.low), apply(frame.map, view.high)};
+    } else if (aspect.ends_with("slice")) {
+        const Affine to_page = view_box_map(view, {{0, 0}, {w, h}}, aspect);
+        const Point low{-to_page.e / to_page.a, -to_page.f / to_page.d};
+        frame.view = Box{low, low + Point{w / to_page.a, h / to_page.d}};
+        frame.pixels_per_unit = to_page.a;
+    }
 }
 
 }  // namespace
@@ -92,13 +113,13 @@ Affine view_box_map(const Box& view, const Box& port, std::string_view preserve_
     return {sx, 0, 0, sy, e, f};
 }
 
-Outcome<Frame> root_frame(pugi::xml_node root, Notes& notes) {
+Outcome<Frame> root_frame(pugi::xml_node root, double dpi, Notes& notes) {
     Frame frame;
     const auto box = view_box_of(root, notes);
     if (!box) return tl::unexpected(box.error());
-    const auto width = extent_of(root, "width", Axis::x, notes);
+    const auto width = extent_of(root, "width", Axis::x, dpi, notes);
     if (!width) return tl::unexpected(width.error());
-    const auto height = extent_of(root, "height", Axis::y, notes);
+    const auto height = extent_of(root, "height", Axis::y, dpi, notes);
     if (!height) return tl::unexpected(height.error());
     auto w = width->pixels, h = height->pixels;
     if (*box) {
@@ -109,16 +130,19 @@ Outcome<Frame> root_frame(pugi::xml_node root, Notes& notes) {
     } else if (w && h) {
         frame.view = Box{{0, 0}, {*w, *h}};
     }
-    if (w && h) frame.size_metres = Point{*w * metres_per_pixel, *h * metres_per_pixel};
+    frame.viewport.dpi = dpi;
+    if (w && h) {
+        const double metres_per_pixel = metres_per_inch / dpi;
+        frame.size_metres = Point{*w * metres_per_pixel, *h * metres_per_pixel};
+        frame.size_in_px = width->in_px || height->in_px;
+    }
     if (frame.view) {
-        frame.viewport = {frame.view->width(), frame.view->height()};
+        frame.viewport = {frame.view->width(), frame.view->height(), dpi};
         frame.percent_known = true;
-        if (w && h) frame.pixels_per_unit = std::min(*w / frame.view->width(), *h / frame.view->height());
-        const std::string_view aspect = trimmed(root.attribute("preserveAspectRatio").value());
-        constexpr double visible_difference = 1e-3;
-        if (*box && w && h && aspect.starts_with("none") &&
-            std::abs(*w * frame.view->height() / (*h * frame.view->width()) - 1) > visible_difference)
-            note(notes, "preserveAspectRatio none on the root is not followed: proportions are kept", root);
+        if (w && h) {
+            frame.pixels_per_unit = std::min(*w / frame.view->width(), *h / frame.view->height());
+            if (*box) follow_aspect(frame, *w, *h, trimmed(root.attribute("preserveAspectRatio").value()));
+        }
     }
     return frame;
 }

@@ -15,10 +15,12 @@ struct Frame {
     Viewport viewport{300, 150};  ///< for percentages; CSS's size of a page that has none
     bool percent_known = false;   ///< the viewport is the file's own
     double pixels_per_unit = 1;   ///< of the page as the file would be shown
+    Affine map;                   ///< user units made square, where the page stretches them
+    bool size_in_px = false;      ///< the physical size rests on px
 };
 /// viewBox, width and height of the root. What is degenerate counts as absent, with a note. Error: numbers
 /// that are not finite or too large.
-Outcome<Frame> root_frame(pugi::xml_node root, Notes& notes);
+Outcome<Frame> root_frame(pugi::xml_node root, double dpi, Notes& notes);
 
 /// The viewBox attribute; nothing when absent or degenerate (noted).
 Outcome<std::optional<Box>> view_box_of(pugi::xml_node node, Notes& notes);

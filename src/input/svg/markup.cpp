@@ -196,8 +196,13 @@ Outcome<std::unique_ptr<Markup>> parse_markup(std::string_view bytes, const Limi
         return fail("", "a compressed SVG (.svgz)", "unpack it first: gunzip -c FILE.svgz > FILE.svg");
     auto markup = std::make_unique<Markup>();
     markup->text = utf8_text(bytes, markup->warnings);
+    constexpr std::size_t opening = 4096;
+    markup->by_illustrator =
+        std::string_view(markup->text).substr(0, opening).find("Adobe Illustrator") != std::string_view::npos;
+    if (trimmed(markup->text).empty()) return fail("", "the file is empty", "give an SVG file");
+    if (const auto expanded = expand_entities(markup->text); !expanded)
+        return tl::unexpected(expanded.error());
     const auto content = trimmed(markup->text);
-    if (content.empty()) return fail("", "the file is empty", "give an SVG file");
     markup->line_starts = starts_of_lines(markup->text);
     const auto spot_text = [&](std::size_t offset) {
         const auto [line, column] = spot_at(markup->line_starts, offset);
@@ -209,15 +214,18 @@ Outcome<std::unique_ptr<Markup>> parse_markup(std::string_view bytes, const Limi
     if (content.front() != '<')
         return fail(spot_text(first), "not XML: the first character is not '<'", "give an SVG file");
     const std::size_t last = first + content.size() - 1;
-    constexpr unsigned options =
-        pugi::parse_escapes | pugi::parse_wconv_attribute | pugi::parse_eol | pugi::parse_doctype;
+    constexpr unsigned options = pugi::parse_escapes | pugi::parse_wconv_attribute | pugi::parse_eol |
+                                 pugi::parse_doctype | pugi::parse_cdata | pugi::parse_ws_pcdata |
+                                 pugi::parse_pi;
     const auto result = markup->tree.load_buffer_inplace(markup->text.data(), markup->text.size(), options,
                                                          pugi::encoding_utf8);
     if (!result) {
         Warnings told_already;
-        return tl::unexpected(parse_error(*markup, result, utf8_text(bytes, told_already), last));
+        auto original = utf8_text(bytes, told_already);
+        if (const auto expanded = expand_entities(original); !expanded)
+            return tl::unexpected(expanded.error());
+        return tl::unexpected(parse_error(*markup, result, original, last));
     }
-    if (auto expanded = expand_entities(*markup); !expanded) return tl::unexpected(expanded.error());
     return markup;
 }
 

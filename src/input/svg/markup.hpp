@@ -18,10 +18,11 @@ struct Markup {
     std::vector<std::size_t> line_starts;
     pugi::xml_document tree;
     Warnings warnings;
+    bool by_illustrator = false;  ///< its opening comment names Adobe Illustrator
 };
 
 /// UTF-8 (with or without mark), UTF-16, UTF-32 and Latin-1 by mark, pattern or declaration; what is not
-/// valid UTF-8 is read as Latin-1 with a warning. Internal entities are put in where attributes name them.
+/// valid UTF-8 is read as Latin-1 with a warning. Internal entities are put in.
 /// Errors: see svg::read.
 Outcome<std::unique_ptr<Markup>> parse_markup(std::string_view bytes, const Limits& limits);
 
@@ -38,7 +39,8 @@ std::string well_formed(std::string_view text);
 std::string clipped(std::string_view text, std::size_t longest = 60);
 /// What follows the prefix: "path" of "svg:path".
 std::string_view local_name(std::string_view name);
-/// Puts the values of the document's own entities where attributes name them. Error: an entity bomb.
-Outcome<void> expand_entities(Markup& markup);
+/// Puts the values of the DOCTYPE's own entities where the text behind it names them; lines are kept. Error:
+/// an entity bomb.
+Outcome<void> expand_entities(std::string& text);
 
 }  // namespace strandline::svg

@@ -109,12 +109,12 @@ Length read_length(std::string_view text, Axis axis, const Viewport& viewport, d
                       unit == "%"};
     };
     if (unit.empty() || unit == "px") return good(1);
-    if (unit == "pt") return good(96.0 / 72.0);
-    if (unit == "pc") return good(16);
-    if (unit == "mm") return good(96.0 / 25.4);
-    if (unit == "cm") return good(96.0 / 2.54);
-    if (unit == "in") return good(96);
-    if (unit == "q") return good(96.0 / 101.6);
+    if (unit == "pt") return good(viewport.dpi / 72.0);
+    if (unit == "pc") return good(viewport.dpi / 6);
+    if (unit == "mm") return good(viewport.dpi / 25.4);
+    if (unit == "cm") return good(viewport.dpi / 2.54);
+    if (unit == "in") return good(viewport.dpi);
+    if (unit == "q") return good(viewport.dpi / 101.6);
     if (unit == "em") return good(font_size);
     if (unit == "ex" || unit == "ch")
         return good(font_size / 2);  // what CSS asks for where the font is not known

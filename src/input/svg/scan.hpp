@@ -40,9 +40,10 @@ struct Number {
 /// The longest number at the scanner: sign, `.5`, `5.`, exponent. Stays where it is when malformed.
 Number take_number(Scanner& scanner);
 
-/// What percentages and em refer to.
+/// What percentages and absolute units refer to.
 struct Viewport {
     double width = 0, height = 0;
+    double dpi = 96;  ///< px to the inch
 };
 enum class Axis { x, y, diagonal };
 struct Length {
@@ -50,7 +51,7 @@ struct Length {
     double value = 0;      ///< user units (px)
     bool percent = false;  ///< it was one
 };
-/// A length with or without a unit: px, pt, pc, mm, cm, in, Q, em, ex, rem, %. 96 px are one inch.
+/// A length with or without a unit: px, pt, pc, mm, cm, in, Q, em, ex, ch, rem, %.
 Length read_length(std::string_view text, Axis axis, const Viewport& viewport, double font_size);
 
 struct Transform {

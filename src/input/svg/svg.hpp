@@ -2,6 +2,7 @@
 // SVG text -> plain paths with their final paint, in user units of the root, y DOWN as SVG has it. What is
 // not understood is a warning with its place; nothing is dropped silently. The contract of the tree that
 // comes out is in docs/svg.md.
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,12 +30,28 @@ enum class FillRule { nonzero, even_odd };
 enum class LineCap { butt, round, square };
 enum class LineJoin { miter, round, bevel };
 
+/// A data-strandline-NAME attribute of an element or of a group around it.
+struct Hint {
+    std::string name, value;  ///< the name without data-strandline-
+    bool operator==(const Hint&) const = default;
+};
+
+/// A layer of Inkscape; in a file that marks none, the outermost named group, which is how other programs
+/// write theirs.
+struct Layer {
+    std::string name, id;
+    int parent = -1;      ///< in Document::layers; -1: none
+    bool marked = false;  ///< Inkscape's
+};
+
 /// One shape element of the file that draws something: it has a fill or a stroke. Every path is in the root's
-/// user units with all transforms applied.
+/// user units with all transforms, dashes and clips applied.
 struct Shape {
-    std::string
-        id;  ///< unique: the element's id, "path@LINE:COLUMN" without one, "ID@LINE:COLUMN" when taken
+    /// Unique: the element's id, "path@LINE:COLUMN" without one, "ID@LINE:COLUMN" when taken. Through <use>:
+    /// the id of the <use>, and for parts of a group "USE/PART".
+    std::string id;
     std::string layer;           ///< names of the Inkscape layers around it, joined by "/"; "" outside
+    int layer_index = -1;        ///< the innermost layer in Document::layers; -1: in none
     std::string place;           ///< for messages: "line 12, <path> #eye"
     int line = 0;                ///< in the file, 1-based
     std::vector<Path> subpaths;  ///< at least one, each with at least one segment
@@ -43,29 +60,73 @@ struct Shape {
     double stroke_width = 1;  ///< user units of the root: own width x mean scale of the transforms
     LineCap cap = LineCap::butt;
     LineJoin join = LineJoin::miter;
+    /// What the stroke follows where it is not the fill's outline: dashes, or what a clip left of it. Use
+    /// stroked_paths().
+    std::optional<std::vector<Path>> lines = {};
+    std::vector<Hint> hints = {};  ///< sorted by name; the element's own before those of its groups
 };
+inline const std::vector<Path>& stroked_paths(const Shape& shape) {
+    return shape.lines ? *shape.lines : shape.subpaths;
+}
 
-/// The whole file. width, height: the root's size in user units after viewBox (the viewBox's own size, or
-/// width and height in px at 96 dpi). Shapes are in painting order.
+/// The whole file. Shapes are in painting order.
 struct Document {
-    Box view;  ///< what is visible, user units (viewBox, or 0 0 width height, or the bounds of the shapes)
+    /// What is visible, user units: viewBox, or 0 0 width height, or the bounds of the shapes. Where the root
+    /// asks for slice, the part of the viewBox that shows; under none the units are made square.
+    Box view;
     std::optional<Point>
-        size_metres;  ///< physical size when width and height have units or px (96 dpi); absent for % or none
+        size_metres;  ///< physical size when width and height have units or px; absent for % or none
     std::vector<Shape> shapes;
+    std::vector<Layer> layers;       ///< parents before their children
     std::vector<double> rake_sizes;  ///< root attribute of 2014; empty when absent
+    double dpi = 96;                 ///< px to the inch that lengths were read with
+    /// Why the physical size may be another than the artist saw; for whoever places the drawing by it.
+    std::optional<Warning> size_doubt;
     Warnings warnings;
 };
 
 struct Limits {
     std::size_t bytes = 256u << 20;
-    int depth = 512;  ///< nested elements
-    std::size_t elements = 1'000'000;
-    std::size_t segments = 10'000'000;
+    int depth = 512;                    ///< nested elements, <use> and clips included
+    std::size_t elements = 1'000'000;   ///< in the file
+    std::size_t expanded = 1'000'000;   ///< elements drawn once more by <use>, markers and clips
+    std::size_t segments = 10'000'000;  ///< of all paths, dashes included
+    std::size_t steps = 500'000'000;    ///< comparisons of style rules with elements, about 10 ns each
+};
+
+/// A piece of text with one look.
+struct TextSpan {
+    std::string text;  ///< UTF-8, white space collapsed unless xml:space asks for it
+    /// Absolute places and shifts, user units, and turns, degrees, of its first characters; may be empty.
+    /// Without x the span goes on where the one before it ended.
+    std::vector<double> x, y, dx, dy, rotate;
+    std::string family;  ///< as CSS lists them: "Arial, 'DejaVu Sans', sans-serif"; may be empty
+    double size = 16;    ///< user units
+    int weight = 400;    ///< 100 to 900
+    bool italic = false;
+    enum class Anchor { start, middle, end } anchor = Anchor::start;
+    double letter_spacing = 0;  ///< user units
+};
+/// A <text> element.
+struct Text {
+    std::string id, place;
+    std::vector<TextSpan> spans;
+};
+/// The outlines of each span, in the text's own user units (y down); an Error says what is missing, such as a
+/// font by name. Called in painting order; the reader places, clips and paints what comes back.
+using TextOutliner = std::function<Outcome<std::vector<std::vector<Path>>>(const Text&)>;
+
+struct ReadOptions {
+    Limits limits{};
+    /// px to the inch, for every unit in the file. 0: 96, or 90 in files of Inkscape before 0.92.
+    double dpi = 0;
+    TextOutliner text_outlines = {};  ///< absent: text is left out with a warning that names its fonts
 };
 
 /// Reads SVG. Error: empty, not XML (with line and column), no <svg> root, over a limit, entity bomb. Numbers
-/// that are not finite, or over 1e15, are errors with their place when they are part of geometry. O(bytes).
-Outcome<Document> read(std::string_view text, const Limits& limits = {}, const Progress& progress = {});
+/// that are not finite, or over 1e15, are errors with their place when they are part of geometry. O(bytes),
+/// and the elements that <use> draws again.
+Outcome<Document> read(std::string_view text, const ReadOptions& options = {}, const Progress& progress = {});
 
 /// The d attribute alone, as subpaths (also for tests and tools). On bad syntax: everything up to it (as SVG
 /// 2, 9.5.4 asks) and a message; `message` is empty when all was well.

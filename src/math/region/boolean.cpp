@@ -18,7 +18,7 @@ Regions clipped(const Paths& subject, const Paths& clip, ClipType type, PolyFill
     clipper.AddPaths(subject, ClipperLib::ptSubject, true);
     clipper.AddPaths(clip, ClipperLib::ptClip, true);
     PolyTree tree;
-    clipper.Execute(type, tree, rule, rule);
+    clipper.Execute(type, tree, rule, ClipperLib::pftNonZero);
     return grid::regions_of(tree, on_grid);
 }
 
@@ -34,18 +34,37 @@ bool is_finite(const Polygon& polygon) {
     return std::ranges::all_of(polygon, [](Point p) { return strandline::is_finite(p); });
 }
 
-}  // namespace
-
-Regions resolved(const std::vector<Polygon>& outlines, FillRule rule) {
+Box finite_bounds(const std::vector<Polygon>& outlines) {
     Box box;
     for (const Polygon& outline : outlines)
         if (is_finite(outline)) box = united(box, bounds(outline));
-    const grid::Grid on_grid = grid::fitted_to(box);
-    Paths subject;
+    return box;
+}
+
+Paths finite_paths(const std::vector<Polygon>& outlines, const grid::Grid& on_grid) {
+    Paths paths;
     for (const Polygon& outline : outlines)
-        if (is_finite(outline) && outline.size() >= 3) subject.push_back(grid::on(on_grid, outline));
-    return clipped(subject, {}, ClipperLib::ctUnion,
-                   rule == FillRule::even_odd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero, on_grid);
+        if (is_finite(outline) && outline.size() >= 3) paths.push_back(grid::on(on_grid, outline));
+    return paths;
+}
+
+PolyFillType fill_type(FillRule rule) {
+    return rule == FillRule::even_odd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero;
+}
+
+}  // namespace
+
+Regions resolved(const std::vector<Polygon>& outlines, FillRule rule) {
+    const auto on_grid = grid::fitted_to(finite_bounds(outlines));
+    return clipped(finite_paths(outlines, on_grid), {}, ClipperLib::ctUnion, fill_type(rule), on_grid);
+}
+
+Regions resolved_within(const std::vector<Polygon>& outlines, FillRule rule, const Regions& area) {
+    const auto on_grid = grid::fitted_to(united(finite_bounds(outlines), bounds(area)));
+    Paths clip;
+    grid::add(clip, on_grid, area);
+    return clipped(finite_paths(outlines, on_grid), clip, ClipperLib::ctIntersection, fill_type(rule),
+                   on_grid);
 }
 
 Regions united(const Regions& a, const Regions& b) { return combined(a, b, ClipperLib::ctUnion); }

@@ -18,6 +18,9 @@ enum class FillRule { nonzero, even_odd };
 /// the grid dropped, duplicate and collinear points removed. O(n log n) typical.
 Regions resolved(const std::vector<Polygon>& outlines, FillRule rule);
 
+/// The same within `area`, at the cost of one operation.
+Regions resolved_within(const std::vector<Polygon>& outlines, FillRule rule, const Regions& area);
+
 Regions united(const Regions& a, const Regions& b);
 Regions intersected(const Regions& a, const Regions& b);
 Regions subtracted(const Regions& from, const Regions& what);

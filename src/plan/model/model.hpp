@@ -36,6 +36,7 @@ struct Options {
     struct Draw {  // "drawing.*"
         double tolerance = 0.002, join_tolerance = 0.005, min_length = 0.01;
         bool occlusion = true;
+        double dpi = 0;  // px to the inch in the SVG; 0: 96, or 90 in files of Inkscape before 0.92
         bool operator==(const Draw&) const = default;
     } drawing;
     struct Ink {  // "ink.*"

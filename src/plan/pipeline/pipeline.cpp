@@ -178,7 +178,7 @@ Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options&
     // Only the search may be cut short: a drawing read by half would be planned as if it were whole.
     Progress patient = progress;
     patient.stopped = [] { return false; };
-    const auto document = svg::read(source.svg, {}, patient);
+    const auto document = svg::read(source.svg, {.dpi = options.drawing.dpi}, patient);
     if (!document) return tl::unexpected(document.error());
     auto drawing = make_drawing(*document, robot, drawing_options(options), patient);
     if (!drawing) {
