@@ -22,6 +22,7 @@ struct PlanArguments {
     std::vector<std::string> entries;     ///< A:V
     std::vector<std::string> directions;  ///< A=forward|backward|ccw|cw
     std::string occlusion;
+    std::vector<std::string> layers, rules;
     bool invert = false, strict = false, open = false;
 };
 int plan(const PlanArguments& arguments, const Common& common);

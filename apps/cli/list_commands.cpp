@@ -35,7 +35,7 @@ Json json_of(const Setting& setting, Options defaults) {
     std::visit([&](const auto* value) { json["default"] = *value; }, setting.field(defaults));
     if (setting.kind == Kind::choice) {
         json["choices"] = setting.choices;
-    } else if (setting.kind != Kind::flag) {
+    } else if (setting.kind != Kind::flag && setting.kind != Kind::text) {
         json["low"] = setting.low;
         json["high"] = setting.high;
     }
@@ -56,6 +56,8 @@ void print_setting(const Setting& setting, const Options& defaults) {
         range = fmt::format("{}", fmt::join(setting.choices, " | "));
     } else if (setting.kind == Kind::flag) {
         range = "on | off";
+    } else if (setting.kind == Kind::text) {
+        range = name_of(setting.kind);
     } else {
         const double factor = angle ? degrees : 1;
         range = fmt::format("{}, {:g} to {:g}{}", name_of(setting.kind), factor * setting.low,

@@ -29,6 +29,10 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
     if (done && !a.canvas.empty()) done = set_canvas(wishes.options, a.canvas);
     if (done && !a.margin.empty()) done = set(wishes.options, "canvas.margin", a.margin);
     if (done && !a.place.empty()) done = set_place(wishes.options, a.place);
+    if (done && !a.layers.empty())
+        done = set(wishes.options, "drawing.layers", fmt::format("{}", fmt::join(a.layers, "; ")));
+    if (done && !a.rules.empty())
+        done = set(wishes.options, "drawing.rules", fmt::format("{}", fmt::join(a.rules, "; ")));
     if (done && !a.occlusion.empty()) done = set(wishes.options, "drawing.occlusion", a.occlusion);
     if (done && a.invert) done = set(wishes.options, "ink.invert", "on");
     if (done && !a.dpi.empty()) done = set(wishes.options, "drawing.dpi", a.dpi);

@@ -19,6 +19,15 @@ Outcome<std::string> text_of(const toml::node& node, const std::string& place) {
     if (const auto* b = node.as_boolean()) return std::string(b->get() ? "on" : "off");
     if (const auto* i = node.as_integer()) return fmt::format("{}", i->get());
     if (const auto* f = node.as_floating_point()) return number_text(f->get());
+    if (const auto* list = node.as_array()) {
+        std::string all;
+        for (const toml::node& entry : *list) {
+            const auto text = text_of(entry, place);
+            if (!text) return text;
+            all += (all.empty() ? "" : "; ") + *text;
+        }
+        return all;
+    }
     return fail(place, "is neither a text nor a number nor true or false");
 }
 

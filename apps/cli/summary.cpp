@@ -44,11 +44,12 @@ std::string summary(const Plan& plan, const check::Report& report) {
     row("robot", plan.robot.name);
     row("elements", fmt::format("{} lines, {} areas; {} strokes", f.lines, f.regions, f.strokes));
     const DrawingCounts& c = plan.drawing.counts;
-    row("drawing", fmt::format("{} shapes; {} joined, {} duplicates, {} merged, {} cut; left out: {} hidden, "
-                               "{} bare, {} too short, "
-                               "{} too small",
-                               c.shapes, c.joined, c.duplicates, c.merged, c.cut, c.hidden, c.bare,
-                               c.too_short, c.too_small));
+    row("drawing",
+        fmt::format("{} shapes; {} joined, {} duplicates, {} merged, {} cut; left out: {} hidden, "
+                    "{} bare, {} too short, "
+                    "{} too small{}",
+                    c.shapes, c.joined, c.duplicates, c.merged, c.cut, c.hidden, c.bare, c.too_short,
+                    c.too_small, c.unchosen > 0 ? fmt::format(", {} not chosen", c.unchosen) : ""));
     row("drawn", fmt::format("{:.2f} m of rake path", f.drawn));
     row("rake up",
         fmt::format("{:.2f} m straight / {:.2f} m Dubins bound / {:.2f} m driven{}", f.up_straight,
@@ -67,6 +68,9 @@ std::string summary(const Plan& plan, const check::Report& report) {
                         ? fmt::format("{:.2f} 1/m rake up (limit {:.2f}), {:.2f} 1/m drawing", f.tightest_up,
                                       1 / plan.robot.min_radius, f.tightest_drawn)
                         : "turns on the spot");
+    for (const Stop& stop : plan.stops)
+        row("stop",
+            fmt::format("{}: before stroke {}, after {}", stop.why, stop.stroke, duration(stop.time)));
     row("fallbacks", fmt::format("{}; {} gaps joined directly; {} spans that cannot be driven", f.fallbacks,
                                  f.direct, plan.undrivable.size()));
     row("warnings", fmt::format("{}", plan.warnings.size() + plan.idle_edits.size()));

@@ -28,12 +28,13 @@ namespace {
 tl::unexpected<Error> nothing_to_draw(const DrawingCounts& counts) {
     if (counts.shapes == 0)
         return fail("drawing", "nothing to draw: the file holds no shapes", "draw some lines or areas");
-    return fail(
-        "drawing",
-        fmt::format(
-            "nothing to draw: of {} shapes {} paints are bare sand, {} lines too short, {} areas too small",
-            counts.shapes, counts.bare, counts.too_short, counts.too_small),
-        "give the shapes a dark fill or stroke, or lower drawing.min_length and fill.min_area");
+    return fail("drawing",
+                fmt::format("nothing to draw: of {} shapes {} paints are bare sand, {} are not chosen, {} "
+                            "hidden, {} lines too "
+                            "short, {} areas too small",
+                            counts.shapes, counts.bare, counts.unchosen, counts.hidden, counts.too_short,
+                            counts.too_small),
+                "give the shapes a dark fill or stroke, or lower drawing.min_length and fill.min_area");
 }
 
 }  // namespace
@@ -45,20 +46,22 @@ Outcome<Drawing> make_drawing(const svg::Document& document, const Robot& robot,
     drawing.canvas = options.canvas;
     drawing.counts.shapes = static_cast<int>(document.shapes.size());
 
-    Ink ink = ink_of(document, robot, options);
-    drawing.counts.bare = ink.bare;
-    drawing.warnings = std::move(ink.warnings);
-    if (std::ranges::none_of(ink.shapes, &Inked::drawn)) return nothing_to_draw(drawing.counts);
+    auto ink = ink_of(document, robot, options);
+    if (!ink) return tl::unexpected(ink.error());
+    drawing.counts.bare = ink->bare;
+    drawing.counts.unchosen = ink->unchosen;
+    drawing.warnings = std::move(ink->warnings);
+    if (std::ranges::none_of(ink->shapes, &Inked::drawn)) return nothing_to_draw(drawing.counts);
 
-    auto placement = placed(document, ink.shapes, robot, options);
+    auto placement = placed(document, ink->shapes, robot, options);
     if (!placement) return tl::unexpected(placement.error());
     drawing.scale = placement->scale;
     drawing.scale_denominator = placement->scale_denominator;
     drawing.to_canvas = placement->to_canvas;
     drawing.warnings.insert(drawing.warnings.end(), placement->warnings.begin(), placement->warnings.end());
-    if (ink.start) drawing.start = apply(drawing.to_canvas, *ink.start);
+    if (ink->start) drawing.start = apply(drawing.to_canvas, *ink->start);
 
-    drawing.elements = elements_of(ink.shapes, *placement, robot, options, drawing.counts, progress);
+    drawing.elements = elements_of(ink->shapes, *placement, robot, options, drawing.counts, progress);
     // Doubled lines would meet in four ends; and two halves may join into what is there already.
     drop_duplicates(drawing.elements, options.join_tolerance, drawing.counts);
     join_lines(drawing.elements, options.join_tolerance, drawing.counts);

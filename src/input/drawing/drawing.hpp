@@ -31,6 +31,8 @@ struct Element {
     std::string id, layer;
     std::variant<LineElement, RegionElement> what;
     int inside = -1;  ///< the smallest element whose outline encloses this one, -1: none
+    /// What rules and the file itself ask for it, by name; "pause" names the layer that a stop comes before.
+    std::vector<svg::Hint> hints = {};
     bool operator==(const Element&) const = default;
 };
 bool is_region(const Element& element);
@@ -41,6 +43,14 @@ double length(const Element& element);
 struct Canvas {
     double width = 14, height = 14;
     bool operator==(const Canvas&) const = default;
+};
+
+/// Hints for every shape of a layer, a colour (fill or stroke) or an id; `*` in the pattern stands for any
+/// letters.
+struct InkRule {
+    enum class Of { layer, colour, id } of = Of::layer;
+    std::string pattern;
+    std::vector<svg::Hint> hints;
 };
 
 enum class Place { fit, actual, width, scale };
@@ -59,11 +69,14 @@ struct DrawingOptions {
     double min_area = 0.0;               ///< m^2: smaller regions are dropped and counted
     double ink_threshold = 0.9;          ///< relative luminance above which paint is bare sand
     bool invert = false;                 ///< light on dark: what is bright is ink, and the ground is black
+    std::vector<std::string> layers{};   ///< only what is in one of these is drawn; empty: everything
+    std::vector<InkRule> rules{};        ///< later ones win, hints in the file over all of them
     bool occlusion = true;               ///< false: every element is drawn, whatever lies over it
 };
 
 /// What was done to the file's shapes on the way.
 struct DrawingCounts {
+    int unchosen = 0;  ///< shapes in layers that are not drawn, or with the hint ink=off
     int shapes = 0, joined = 0, duplicates = 0, too_short = 0, too_small = 0, bare = 0, merged = 0,
         wide_strokes = 0, hidden = 0, cut = 0;  ///< hidden: wholly under later paint; cut: lines, in part
     bool operator==(const DrawingCounts&) const = default;
@@ -82,8 +95,9 @@ struct Drawing {
 
 /// Fill -> region, stroke -> line; fill and stroke of the same ink on one shape -> one region; a stroke wider
 /// than the rake -> a region (where the robot's profile asks for it); nothing is raked twice; ends that meet
-/// are joined; who encloses whom. Error: nothing to draw, zero-size canvas, margin larger than the canvas, a
-/// scale that is not finite. O(n log n).
+/// are joined; who encloses whom. Layers whose name begins with % are left out; elements of one whose name
+/// begins with ! get the hint "pause". The hints "ink" (on, off) and "pins" are obeyed here. Error: nothing
+/// to draw, zero-size canvas, margin larger than the canvas, a scale that is not finite. O(n log n).
 Outcome<Drawing> make_drawing(const svg::Document& document, const Robot& robot,
                               const DrawingOptions& options, const Progress& progress = {});
 

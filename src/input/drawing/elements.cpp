@@ -86,7 +86,7 @@ class Ids {
 Painted painted(const Inked& inked, const Placement& placement, const Robot& robot,
                 const DrawingOptions& options, DrawingCounts& counts) {
     const svg::Shape& shape = *inked.shape;
-    Painted result{.shape = &shape, .pins = inked.pins};
+    Painted result{.shape = &shape, .pins = inked.pins, .hints = inked.hints};
     std::vector<Path> paths;
     for (const Path& path : shape.subpaths) paths.push_back(transformed(path, placement.to_canvas));
     std::vector<Path> lines = shape.lines ? std::vector<Path>{} : paths;  // what the stroke follows
@@ -144,12 +144,12 @@ std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placeme
                 ++counts.too_small;
                 continue;
             }
-            elements.push_back(
-                {ids.next(shape.id, piece), shape.layer, RegionElement{std::move(sheet.area[piece])}});
+            elements.push_back({ids.next(shape.id, piece), shape.layer,
+                                RegionElement{std::move(sheet.area[piece])}, -1, sheet.hints});
         }
         for (InkLine& line : sheet.lines)
             elements.push_back({ids.next(shape.id, line.subpath), shape.layer,
-                                LineElement{std::move(line.path), sheet.pins}});
+                                LineElement{std::move(line.path), sheet.pins}, -1, sheet.hints});
     }
     return elements;
 }

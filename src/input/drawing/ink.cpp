@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "input/drawing/parts.hpp"
@@ -74,10 +75,50 @@ bool stroke_is_area(const Inked& inked, const Robot& robot, double scale) {
     return robot.fill_wide_strokes && width > robot.rake_width();
 }
 
-Ink ink_of(const svg::Document& document, const Robot& robot, const DrawingOptions& options) {
+namespace {
+
+/// The stroke's pins: by its hint, else by its width; 0 leaves no mark.
+int pins_of(const svg::Shape& shape, const std::vector<svg::Hint>& hints, const svg::Document& document,
+            const Robot& robot, Warnings& warnings) {
+    if (const auto asked = value_of(hints, "pins")) {
+        int pins = 0;
+        const auto [end, error] = std::from_chars(asked->data(), asked->data() + asked->size(), pins);
+        if (error == std::errc{} && end == asked->data() + asked->size() && pins >= 1 && pins <= robot.pins)
+            return pins;
+        warnings.push_back(
+            {shape.place,
+             fmt::format("pins \"{}\" is not a number from 1 to {}: its width decides", *asked, robot.pins)});
+    }
+    return document.rake_sizes.empty() ? pins_for_width(robot, shape.stroke_width)
+                                       : pins_by_sizes(document.rake_sizes, robot, shape.stroke_width);
+}
+
+Outcome<void> layers_are_there(const svg::Document& document, const DrawingOptions& options) {
+    for (const std::string& wanted : options.layers) {
+        if (std::ranges::any_of(document.layers,
+                                [&](const svg::Layer& layer) { return matches(wanted, layer.name); }))
+            continue;
+        std::string names;
+        for (const svg::Layer& layer : document.layers)
+            names += (names.empty() ? "" : ", ") + fmt::format("\"{}\"", layer.name);
+        return fail("layer \"" + wanted + "\"", "is not in the drawing",
+                    names.empty() ? "the drawing has no layers" : "choose among " + names);
+    }
+    return {};
+}
+
+}  // namespace
+
+Outcome<Ink> ink_of(const svg::Document& document, const Robot& robot, const DrawingOptions& options) {
+    if (const auto there = layers_are_there(document, options); !there) return tl::unexpected(there.error());
+    const Choices choices(document, options);
     Ink ink;
     for (const svg::Shape& shape : document.shapes) {
         if (shape.subpaths.empty()) continue;
+        if (!choices.chosen(shape)) {
+            ++ink.unchosen;
+            continue;
+        }
         if (shape.stroke && shape.stroke->opacity > 0 && shape.stroke->colour == start_mark) {
             if (ink.start)
                 ink.warnings.push_back({shape.place, "a second start mark (stroke #00ff00) is ignored"});
@@ -86,16 +127,26 @@ Ink ink_of(const svg::Document& document, const Robot& robot, const DrawingOptio
             continue;
         }
         Inked inked{&shape};
-        const Effect fill = effect_of(shape.fill, options), stroke = effect_of(shape.stroke, options);
+        inked.hints = choices.hints_of(shape);
+        const std::optional<std::string> asked = value_of(inked.hints, "ink");
+        if (asked == "off") {
+            ++ink.unchosen;
+            continue;
+        }
+        if (asked && asked != "on")
+            ink.warnings.push_back({shape.place, fmt::format("ink \"{}\" is neither on nor off", *asked)});
+        Effect fill = effect_of(shape.fill, options), stroke = effect_of(shape.stroke, options);
+        if (asked == "on") {
+            fill = {.ink = shape.fill && shape.fill->opacity > 0};
+            stroke = {.ink = shape.stroke && shape.stroke->opacity > 0};
+        }
         const bool flat = (fill.ink || fill.hides) && std::ranges::all_of(shape.subpaths, is_flat);
         inked.fill = fill.ink && !flat;
         inked.stroke = stroke.ink;
         inked.fill_hides = fill.hides && !flat;
         inked.stroke_hides = stroke.hides;
         if (inked.stroke) {
-            inked.pins = document.rake_sizes.empty()
-                             ? pins_for_width(robot, shape.stroke_width)
-                             : pins_by_sizes(document.rake_sizes, robot, shape.stroke_width);
+            inked.pins = pins_of(shape, inked.hints, document, robot, ink.warnings);
             inked.stroke = inked.pins > 0;
             if (!inked.stroke) {
                 ++ink.bare;
@@ -107,6 +158,7 @@ Ink ink_of(const svg::Document& document, const Robot& robot, const DrawingOptio
             ++ink.bare;
         }
         if (!inked.fill && (shape.fill || !shape.stroke) && !(inked.stroke && fill.ink)) ++ink.bare;
+        std::erase_if(inked.hints, [](const svg::Hint& h) { return h.name == "ink" || h.name == "pins"; });
         if (inked.drawn() || inked.fill_hides || inked.stroke_hides) ink.shapes.push_back(inked);
     }
     return ink;

@@ -58,16 +58,24 @@ LineElement* open_line(Element& element) {
     return line && !line->path.closed && !line->path.segments.empty() ? line : nullptr;
 }
 
-/// End 2 i is the start of lines[i], 2 i + 1 its end. partner[e]: the only other end near e of the same pins
-/// and layer, if e is also its only one.
+/// What two lines must share to become one.
+using Kin = std::tuple<std::string, int, std::vector<std::pair<std::string, std::string>>>;
+Kin kin_of(const Element& element) {
+    Kin kin{element.layer, std::get<LineElement>(element.what).pins, {}};
+    for (const svg::Hint& hint : element.hints) std::get<2>(kin).emplace_back(hint.name, hint.value);
+    return kin;
+}
+
+/// End 2 i is the start of lines[i], 2 i + 1 its end. partner[e]: the only other end near e of the same pins,
+/// layer and hints, if e is also its only one.
 std::vector<int> partners(const std::vector<Element*>& lines, double tolerance) {
-    std::map<std::pair<std::string, int>, std::vector<int>> groups;
+    std::map<Kin, std::vector<int>> groups;
     std::vector<Point> at(2 * lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const LineElement& line = std::get<LineElement>(lines[i]->what);
         at[2 * i] = line.path.start;
         at[2 * i + 1] = end_of(line.path);
-        auto& group = groups[{lines[i]->layer, line.pins}];
+        auto& group = groups[kin_of(*lines[i])];
         group.push_back(static_cast<int>(2 * i));
         group.push_back(static_cast<int>(2 * i + 1));
     }

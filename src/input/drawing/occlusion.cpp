@@ -120,11 +120,13 @@ std::vector<Piece> united_pieces(const std::vector<const Piece*>& below,
     return whole;
 }
 
-/// Both, and what overlaps made one. `merged` counts the pieces that went into others.
-std::vector<Piece> merged_pieces(std::vector<Piece> below, std::vector<Piece> above, int* merged) {
+/// Both, and what overlaps and may become one made one. `merged` counts the pieces that went into others.
+template <class May>
+std::vector<Piece> merged_pieces(std::vector<Piece> below, std::vector<Piece> above, int* merged, May may) {
     Groups groups(below.size() + above.size());
     std::vector<char> meets(below.size() + above.size(), 0);
     for_overlapping(below, above, [&](std::size_t i, std::size_t j) {
+        if (!may(below[i], above[j])) return;
         groups.join(i, below.size() + j);
         meets[i] = meets[below.size() + j] = 1;
     });
@@ -185,17 +187,28 @@ class Painter {
         Sheet whole;
         whole.lines = uncovered(std::move(below.lines), above);
         std::ranges::move(above.lines, std::back_inserter(whole.lines));
-        whole.ink =
-            merged_pieces(erased(std::move(below.ink), above.hides), std::move(above.ink), &counts_.merged);
+        std::vector<Piece> left = erased(std::move(below.ink), above);
+        const auto alike = [&](const Piece& a, const Piece& b) { return same_hints(a, b); };
+        whole.ink = merged_pieces(std::move(left), std::move(above.ink), &counts_.merged, alike);
         // nothing lies under the lowest sheet
-        if (!lowest) whole.hides = merged_pieces(std::move(below.hides), std::move(above.hides), nullptr);
+        const auto always = [](const Piece&, const Piece&) { return true; };
+        if (!lowest)
+            whole.hides = merged_pieces(std::move(below.hides), std::move(above.hides), nullptr, always);
         return whole;
     }
 
-    std::vector<Piece> erased(std::vector<Piece> ink, const std::vector<Piece>& hides) {
+    bool same_hints(const Piece& a, const Piece& b) const {
+        return shapes_[a.shape].hints == shapes_[b.shape].hints;
+    }
+
+    /// What the sheet above leaves of the ink: its bare paint hides, and so does ink of other hints.
+    std::vector<Piece> erased(std::vector<Piece> ink, const Sheet& above) {
         std::vector<Regions> over(ink.size());
-        for_overlapping(ink, hides,
-                        [&](std::size_t i, std::size_t j) { over[i].push_back(hides[j].region); });
+        for_overlapping(ink, above.hides,
+                        [&](std::size_t i, std::size_t j) { over[i].push_back(above.hides[j].region); });
+        for_overlapping(ink, above.ink, [&](std::size_t i, std::size_t j) {
+            if (!same_hints(ink[i], above.ink[j])) over[i] = united(over[i], {above.ink[j].region});
+        });
         std::vector<Piece> left;
         for (std::size_t i = 0; i < ink.size(); ++i) {
             if (over[i].empty()) {

@@ -1,7 +1,9 @@
 #pragma once
 // What make_drawing is put together from; private to this room. User units until `placed`, metres on the
 // canvas after it.
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "input/drawing/drawing.hpp"
@@ -14,6 +16,7 @@ struct Inked {
     bool fill = false, stroke = false;              ///< ink
     bool fill_hides = false, stroke_hides = false;  ///< bare paint
     int pins = 0;                                   ///< of the stroke
+    std::vector<svg::Hint> hints = {};
     bool drawn() const { return fill || stroke; }
 };
 
@@ -22,13 +25,34 @@ struct Inked {
 struct Ink {
     std::vector<Inked> shapes;
     std::optional<Point> start;  ///< user units
-    int bare = 0;
+    int bare = 0, unchosen = 0;
     Warnings warnings;
 };
-Ink ink_of(const svg::Document& document, const Robot& robot, const DrawingOptions& options);
+/// Error: a layer that is asked for and is not there, with the names of those that are.
+Outcome<Ink> ink_of(const svg::Document& document, const Robot& robot, const DrawingOptions& options);
 
 /// Does this stroke, `scale` metres a user unit, become an area by itself or grow its shape's area?
 bool stroke_is_area(const Inked& inked, const Robot& robot, double scale);
+
+/// What rules and file ask for each shape.
+class Choices {
+  public:
+    Choices(const svg::Document& document, const DrawingOptions& options);
+    /// False: its layer is not drawn (a name with %, or another was asked for).
+    bool chosen(const svg::Shape& shape) const;
+    /// Sorted by name, each name once.
+    std::vector<svg::Hint> hints_of(const svg::Shape& shape) const;
+
+  private:
+    /// Of the innermost layer outwards.
+    std::vector<std::string> layers_of(const svg::Shape& shape) const;
+    const svg::Document& document_;
+    const DrawingOptions& options_;
+};
+/// `*` stands for any letters.
+bool matches(std::string_view pattern, std::string_view text);
+/// Absent: no such hint.
+std::optional<std::string> value_of(const std::vector<svg::Hint>& hints, std::string_view name);
 
 struct Placement {
     Affine to_canvas;
@@ -48,6 +72,7 @@ struct InkLine {
 struct Painted {
     const svg::Shape* shape;
     int pins;
+    std::vector<svg::Hint> hints = {};  ///< areas of different hints do not become one: the later cuts
     std::vector<InkLine> lines = {};
     Regions area = {}, hides = {};
 };

@@ -40,6 +40,8 @@ tour::Problem problem_of(const Job& job) {
     tour::Problem problem;
     problem.start = job.start;
     problem.before = job.before;
+    problem.groups = job.batches;
+    problem.keep_group_order = true;
     for (const Group& group : job.groups) problem.elements.push_back(element_of(group));
     for (std::size_t i = 0; i < job.groups.size(); ++i)
         if (problem.elements[i].entry)

@@ -36,7 +36,9 @@ struct Options {
     struct Draw {  // "drawing.*"
         double tolerance = 0.002, join_tolerance = 0.005, min_length = 0.01;
         bool occlusion = true;
-        double dpi = 0;  // px to the inch in the SVG; 0: 96, or 90 in files of Inkscape before 0.92
+        std::string layers;  // names, separated by ";"; empty: all
+        std::string rules;   // what rules_of() reads
+        double dpi = 0;      // px to the inch in the SVG; 0: 96, or 90 in files of Inkscape before 0.92
         bool operator==(const Draw&) const = default;
     } drawing;
     struct Ink {  // "ink.*"
@@ -79,7 +81,7 @@ struct Options {
 
 /// One entry of the table of settings.
 struct Setting {
-    enum class Kind { length, angle, duration, number, integer, flag, choice };
+    enum class Kind { length, angle, duration, number, integer, flag, choice, text };
     std::string key, meaning;
     Kind kind = Kind::number;
     double low = 0, high = 0;          ///< inclusive, in SI units, for numbers
@@ -94,6 +96,17 @@ Outcome<void> set(Options& options, const std::string& key, const std::string& v
 /// Text that set() reads back to the same value.
 std::string get(const Options& options, const std::string& key);
 std::string name_of(Setting::Kind kind);
+
+// ---- hints and rules
+
+/// Names that hints may have beside fill-* (any setting of the group fill): ink, pins, tool, order, start,
+/// pause. Error: an unknown name, or a value that it cannot have.
+Outcome<void> valid(const svg::Hint& hint);
+/// "layer=Outline: pins=3; colour=#ff0000: tool=2, fill-style=zigzag". `*` in what is selected stands for any
+/// letters. Error: what cannot be read, with the rule.
+Outcome<std::vector<InkRule>> rules_of(const std::string& text);
+/// "a; b" -> the names.
+std::vector<std::string> names_of(const std::string& text);
 
 // ---- edits
 
@@ -126,6 +139,14 @@ struct PlannedConnection {
     double turn_before = 0, turn_after = 0;  ///< turns on the spot, radians
     Curve curve;
     bool operator==(const PlannedConnection&) const = default;
+};
+
+/// Where the drive waits for a hand: another tool, or a layer whose name begins with "!".
+struct Stop {
+    std::string why;  ///< "tool 2", "layer !gold"
+    int stroke = 0;   ///< index into Plan::strokes: the first one after the stop
+    double time = 0;  ///< s, when the robot sets out for it
+    bool operator==(const Stop&) const = default;
 };
 
 /// A place where something falls short.
@@ -171,6 +192,7 @@ struct Plan {
     std::vector<Entry> order;     ///< one per stroke, same order
     std::vector<PlannedConnection> connections;
     std::vector<Sample> samples;
+    std::vector<Stop> stops;
     std::vector<Spot> undrivable;
     Figures figures;
     Warnings warnings;

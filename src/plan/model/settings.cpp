@@ -148,6 +148,22 @@ std::vector<Setting> make_table() {
          {},
          "",
          [](Options& o) -> Field { return &o.drawing.occlusion; }},
+        {"drawing.layers",
+         "layers to draw, names separated by \";\" (* for any letters); empty: all",
+         Kind::text,
+         0,
+         0,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.drawing.layers; }},
+        {"drawing.rules",
+         "hints by layer, colour or id: \"layer=NAME: pins=3; colour=#ff0000: tool=2\"",
+         Kind::text,
+         0,
+         0,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.drawing.rules; }},
         {"ink.threshold",
          "paint brighter than this (luminance 0 to 1) is bare sand",
          Kind::number,
@@ -439,6 +455,8 @@ std::string name_of(Setting::Kind kind) {
             return "on or off";
         case Kind::choice:
             return "choice";
+        case Kind::text:
+            return "text";
     }
     return {};
 }
@@ -467,6 +485,12 @@ Outcome<void> set(Options& options, const std::string& key, const std::string& v
         if (std::ranges::find(setting->choices, value) == setting->choices.end())
             return fail(key, fmt::format("\"{}\" is not a choice", value),
                         "use one of " + joined(setting->choices));
+        *std::get<std::string*>(field) = value;
+        return {};
+    }
+    if (setting->kind == Kind::text) {
+        if (key == "drawing.rules")
+            if (const auto rules = rules_of(value); !rules) return tl::unexpected(rules.error());
         *std::get<std::string*>(field) = value;
         return {};
     }

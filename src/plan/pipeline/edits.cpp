@@ -105,4 +105,15 @@ std::vector<std::pair<int, int>> inner_before_outer(const std::vector<order::Gro
     return before;
 }
 
+void keep_within_batches(order::Job& job) {
+    if (job.batches.empty()) return;
+    std::vector<std::size_t> batch_of(job.groups.size(), 0);
+    for (std::size_t b = 0; b < job.batches.size(); ++b)
+        for (const int group : job.batches[b]) batch_of[static_cast<std::size_t>(group)] = b;
+    std::erase_if(job.before, [&](const std::pair<int, int>& pair) {
+        return batch_of[static_cast<std::size_t>(pair.first)] !=
+               batch_of[static_cast<std::size_t>(pair.second)];
+    });
+}
+
 }  // namespace strandline::pipeline

@@ -11,4 +11,7 @@ std::vector<std::string> apply_edits(order::Job& job, const std::vector<Edit>& e
 std::vector<std::pair<int, int>> inner_before_outer(const std::vector<order::Group>& groups,
                                                     const Drawing& drawing);
 
+/// Batches come one after the other: what should come first across them is out of the job's hands.
+void keep_within_batches(order::Job& job);
+
 }  // namespace strandline::pipeline

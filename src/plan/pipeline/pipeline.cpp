@@ -7,12 +7,13 @@
 #include "base/units/units.hpp"
 #include "path/trajectory/trajectory.hpp"
 #include "plan/pipeline/edits.hpp"
+#include "plan/pipeline/hints.hpp"
 #include "plan/pipeline/strokes.hpp"
 
 namespace strandline {
 namespace {
 
-DrawingOptions drawing_options(const Options& options) {
+Outcome<DrawingOptions> drawing_options(const Options& options) {
     const Options::Fit& place = options.place;
     DrawingOptions o;
     o.canvas = {options.canvas.width, options.canvas.height};
@@ -33,6 +34,10 @@ DrawingOptions drawing_options(const Options& options) {
     o.occlusion = options.drawing.occlusion;
     o.ink_threshold = options.ink.threshold;
     o.invert = options.ink.invert;
+    o.layers = names_of(options.drawing.layers);
+    auto rules = rules_of(options.drawing.rules);
+    if (!rules) return tl::unexpected(rules.error());
+    o.rules = std::move(*rules);
     return o;
 }
 
@@ -180,7 +185,9 @@ Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options&
     patient.stopped = [] { return false; };
     const auto document = svg::read(source.svg, {.dpi = options.drawing.dpi}, patient);
     if (!document) return tl::unexpected(document.error());
-    auto drawing = make_drawing(*document, robot, drawing_options(options), patient);
+    const auto asked = drawing_options(options);
+    if (!asked) return tl::unexpected(asked.error());
+    auto drawing = make_drawing(*document, robot, *asked, patient);
     if (!drawing) {
         Error error = drawing.error();
         // What was left out is often why nothing is there.
@@ -188,21 +195,29 @@ Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options&
         return tl::unexpected(error);
     }
 
+    const Warnings wrong_hints = pipeline::drop_wrong_hints(*drawing);
     pipeline::Strokes strokes = pipeline::strokes_of(*drawing, robot, options, patient);
     if (strokes.groups.empty())
         return fail(source.title, "nothing of the drawing can be raked at this size",
                     "make the canvas larger, or choose a narrower rake");
     if (const auto bearable = not_too_long(strokes.groups, options); !bearable)
         return tl::unexpected(bearable.error());
-    order::Job job{std::move(strokes.groups), {}, {}, drawing->start};
+    order::Job job;
+    job.groups = std::move(strokes.groups);
+    job.start = drawing->start;
     if (options.tour.has_start) job.start = Point{options.tour.start_x, options.tour.start_y};
+    job.batches = pipeline::batches_of(job.groups, *drawing);
     if (options.tour.inner_first) job.before = pipeline::inner_before_outer(job.groups, *drawing);
+    pipeline::keep_within_batches(job);
 
     Plan plan;
     plan.title = source.title;
     plan.robot = robot;
     plan.options = options;
     plan.edits = edits;
+    add(plan.warnings, wrong_hints);
+    for (const std::string& idle : pipeline::apply_edits(job, pipeline::entries_asked(*drawing)))
+        plan.warnings.push_back({"hint start", idle});
     plan.idle_edits = pipeline::apply_edits(job, edits);
     auto ordered = order::ordered(job, robot, order_options(options, robot), progress);
     if (!ordered) return tl::unexpected(ordered.error());
@@ -221,6 +236,7 @@ Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options&
     add(plan.warnings, ordered->warnings);
     plan.strokes = std::move(ordered->strokes);
     plan.order = std::move(ordered->entries);
+    plan.stops = pipeline::stops_of(plan);
     return plan;
 }
 

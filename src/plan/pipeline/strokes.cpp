@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "plan/pipeline/hints.hpp"
+
 namespace strandline::pipeline {
 namespace {
 
@@ -103,10 +105,9 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
 Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& options,
                    const Progress& progress) {
     Strokes strokes;
-    const fill::Options filling = fill_options(options, robot);
-    if (options.fill.spacing > filling.width)
+    if (options.fill.spacing > robot.rake_width())
         strokes.warnings.push_back({"fill.spacing", fmt::format("{} m is wider than the rake: {} m is used",
-                                                                options.fill.spacing, filling.width)});
+                                                                options.fill.spacing, robot.rake_width())});
     for (std::size_t i = 0; i < drawing.elements.size(); ++i) {
         progress.report("filling", static_cast<double>(i) / static_cast<double>(drawing.elements.size()));
         const Element& element = drawing.elements[i];
@@ -123,6 +124,7 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
                 group.work.strokes.push_back(std::move(stroke));
             }
         } else {
+            const fill::Options filling = fill_options(options_for(element, options), robot);
             fill::Fill filled =
                 fill::fill_region(std::get<RegionElement>(element.what).region, index, element.id, filling);
             strokes.fill_area += filled.area;

@@ -74,6 +74,7 @@ void fields(Either<DrawingCounts> auto& counts, Visit&& field) {
     field("wide_strokes", counts.wide_strokes);
     field("hidden", counts.hidden);
     field("cut", counts.cut);
+    field("unchosen", counts.unchosen);
 }
 
 template <class Visit>
@@ -81,7 +82,14 @@ void fields(Either<Element> auto& element, Visit&& field) {
     field("id", element.id);
     field("layer", element.layer);
     field("inside", element.inside);
+    field("hints", element.hints);
     field("draw", element.what);
+}
+
+template <class Visit>
+void fields(Either<svg::Hint> auto& hint, Visit&& field) {
+    field("name", hint.name);
+    field("value", hint.value);
 }
 
 template <class Visit>
@@ -179,6 +187,13 @@ void fields(Either<SampleColumns> auto& columns, Visit&& field) {
     field("stroke", columns.stroke);
 }
 
+template <class Visit>
+void fields(Either<Stop> auto& stop, Visit&& field) {
+    field("why", stop.why);
+    field("stroke", stop.stroke);
+    field("time", stop.time);
+}
+
 /// After "format" and "version", which the reader looks at first.
 template <class Visit>
 void fields(Either<Plan> auto& plan, Visit&& field) {
@@ -190,6 +205,7 @@ void fields(Either<Plan> auto& plan, Visit&& field) {
     field("idle_edits", plan.idle_edits);
     field("figures", plan.figures);
     field("warnings", plan.warnings);
+    field("stops", plan.stops);
     field("undrivable", plan.undrivable);
     field("drawing", plan.drawing);
     field("strokes", plan.strokes);

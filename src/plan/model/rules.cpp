@@ -1,0 +1,110 @@
+// Hints by name, and the rules that give them to layers, colours and ids.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "plan/model/model.hpp"
+
+namespace strandline {
+namespace {
+
+constexpr std::string_view fill_prefix = "fill-";
+
+std::string trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\n"), last = text.find_last_not_of(" \t\n");
+    return first == std::string_view::npos ? std::string()
+                                           : std::string(text.substr(first, last - first + 1));
+}
+
+std::vector<std::string> split(std::string_view text, char at) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(at, begin), text.size());
+        if (std::string part = trimmed(text.substr(begin, end - begin)); !part.empty())
+            parts.push_back(std::move(part));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+Outcome<void> whole_from(const svg::Hint& hint, int least) {
+    int value = 0;
+    const auto [end, error] =
+        std::from_chars(hint.value.data(), hint.value.data() + hint.value.size(), value);
+    if (error == std::errc{} && end == hint.value.data() + hint.value.size() && value >= least) return {};
+    return fail(hint.name, fmt::format("\"{}\" is not a whole number", hint.value),
+                fmt::format("give one from {}", least));
+}
+
+Outcome<InkRule> rule_of(const std::string& text) {
+    const auto refuse = [&](const char* reason) {
+        return fail("rule \"" + text + "\"", reason,
+                    "write for example \"layer=Outline: pins=3, fill-style=zigzag\"");
+    };
+    const std::size_t colon = text.find(':'), equals = text.find('=');
+    if (colon == std::string::npos || equals > colon) return refuse("does not say what it is for");
+    InkRule rule;
+    const std::string of = trimmed(text.substr(0, equals));
+    if (of == "layer")
+        rule.of = InkRule::Of::layer;
+    else if (of == "colour" || of == "color")
+        rule.of = InkRule::Of::colour;
+    else if (of == "id")
+        rule.of = InkRule::Of::id;
+    else
+        return refuse("is for neither a layer nor a colour nor an id");
+    rule.pattern = trimmed(text.substr(equals + 1, colon - equals - 1));
+    if (rule.pattern.empty()) return refuse("names nothing");
+    if (rule.of == InkRule::Of::colour)
+        std::ranges::transform(rule.pattern, rule.pattern.begin(),
+                               [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c + 32) : c; });
+    for (const std::string& part : split(text.substr(colon + 1), ',')) {
+        const std::size_t at = part.find('=');
+        if (at == std::string::npos) return refuse("has a hint without a value");
+        const svg::Hint hint{trimmed(part.substr(0, at)), trimmed(part.substr(at + 1))};
+        if (auto fine = valid(hint); !fine) {
+            fine.error().place = "rule \"" + text + "\", " + fine.error().place;
+            return tl::unexpected(fine.error());
+        }
+        rule.hints.push_back(hint);
+    }
+    if (rule.hints.empty()) return refuse("asks for nothing");
+    return rule;
+}
+
+}  // namespace
+
+Outcome<void> valid(const svg::Hint& hint) {
+    if (hint.name == "ink") {
+        if (hint.value == "on" || hint.value == "off") return {};
+        return fail(hint.name, fmt::format("\"{}\" is neither on nor off", hint.value));
+    }
+    if (hint.name == "pins" || hint.name == "tool") return whole_from(hint, 1);
+    if (hint.name == "order") return whole_from(hint, std::numeric_limits<int>::min());
+    if (hint.name == "start") return whole_from(hint, -1);
+    if (hint.name == "pause") return {};
+    if (hint.name.starts_with(fill_prefix)) {
+        Options scratch;
+        std::string key = "fill." + hint.name.substr(fill_prefix.size());
+        std::ranges::replace(key, '-', '_');
+        auto done = set(scratch, key, hint.value);
+        if (!done) done.error().place = hint.name;
+        return done;
+    }
+    return fail(hint.name, "there is no such hint", "use ink, pins, tool, order, start, pause or fill-*");
+}
+
+Outcome<std::vector<InkRule>> rules_of(const std::string& text) {
+    std::vector<InkRule> rules;
+    for (const std::string& part : split(text, ';')) {
+        auto rule = rule_of(part);
+        if (!rule) return tl::unexpected(rule.error());
+        rules.push_back(std::move(*rule));
+    }
+    return rules;
+}
+
+std::vector<std::string> names_of(const std::string& text) { return split(text, ';'); }
+
+}  // namespace strandline

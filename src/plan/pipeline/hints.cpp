@@ -1,0 +1,112 @@
+#include "plan/pipeline/hints.hpp"
+
+#include <algorithm>
+#include <compare>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+namespace strandline::pipeline {
+namespace {
+
+const std::string* value_of(const Element& element, std::string_view name) {
+    const auto found = std::ranges::find(element.hints, name, &svg::Hint::name);
+    return found == element.hints.end() ? nullptr : &found->value;
+}
+int number_of(const Element& element, std::string_view name, int otherwise) {
+    const std::string* value = value_of(element, name);
+    return value ? std::atoi(value->c_str()) : otherwise;
+}
+
+/// Elements of the same rank are ordered by the tour.
+struct Rank {
+    int section = 0, tool = 1, order = 0;
+    auto operator<=>(const Rank&) const = default;
+};
+std::vector<Rank> ranks_of(const Drawing& drawing) {
+    std::vector<Rank> ranks;
+    int section = 0;
+    std::string before;
+    for (const Element& element : drawing.elements) {
+        const std::string* pause = value_of(element, "pause");
+        const std::string here = pause ? *pause : std::string();
+        if (here != before) ++section;
+        before = here;
+        ranks.push_back({section, number_of(element, "tool", 1), number_of(element, "order", 0)});
+    }
+    return ranks;
+}
+
+}  // namespace
+
+Warnings drop_wrong_hints(Drawing& drawing) {
+    Warnings warnings;
+    std::set<std::pair<std::string, std::string>> told;
+    for (Element& element : drawing.elements)
+        std::erase_if(element.hints, [&](const svg::Hint& hint) {
+            const auto fine = valid(hint);
+            if (!fine && told.emplace(hint.name, hint.value).second)
+                warnings.push_back({element.id, "hint " + sentence(fine.error()) + "; it is passed over"});
+            return !fine;
+        });
+    return warnings;
+}
+
+Options options_for(const Element& element, const Options& options) {
+    Options own = options;
+    for (const svg::Hint& hint : element.hints) {
+        if (!hint.name.starts_with("fill-")) continue;
+        std::string key = "fill." + hint.name.substr(5);
+        std::ranges::replace(key, '-', '_');
+        // checked by drop_wrong_hints
+        static_cast<void>(set(own, key, hint.value));
+    }
+    return own;
+}
+
+std::vector<Edit> entries_asked(const Drawing& drawing) {
+    std::vector<Edit> edits;
+    for (const Element& element : drawing.elements)
+        if (value_of(element, "start"))
+            edits.push_back(EntryEdit{{element.id, number_of(element, "start", 0)}});
+    return edits;
+}
+
+std::vector<std::vector<int>> batches_of(const std::vector<order::Group>& groups, const Drawing& drawing) {
+    const std::vector<Rank> ranks = ranks_of(drawing);
+    std::map<Rank, std::vector<int>> batches;
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        batches[ranks[static_cast<std::size_t>(groups[i].work.element)]].push_back(static_cast<int>(i));
+    std::vector<std::vector<int>> rows;
+    if (batches.size() > 1)
+        for (auto& [rank, members] : batches) rows.push_back(std::move(members));
+    return rows;
+}
+
+std::vector<Stop> stops_of(const Plan& plan) {
+    std::vector<Stop> stops;
+    const std::vector<Rank> ranks = ranks_of(plan.drawing);
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < plan.strokes.size(); ++k) {
+        const auto element = static_cast<std::size_t>(plan.strokes[k].element);
+        const std::string* pause = value_of(plan.drawing.elements[element], "pause");
+        std::string why;
+        if (k == 0) {
+            if (pause) why = "layer " + *pause;
+        } else {
+            const Rank &now = ranks[element],
+                       &before = ranks[static_cast<std::size_t>(plan.strokes[k - 1].element)];
+            if (now.section != before.section && pause) why = "layer " + *pause;
+            if (now.tool != before.tool)
+                why += (why.empty() ? "tool " : ", tool ") + std::to_string(now.tool);
+        }
+        if (why.empty()) continue;
+        // the last sample of the stroke before
+        while (k > 0 && at < plan.samples.size() && plan.samples[at].stroke != static_cast<int>(k) - 1) ++at;
+        while (k > 0 && at < plan.samples.size() && plan.samples[at].stroke == static_cast<int>(k) - 1) ++at;
+        stops.push_back({why, static_cast<int>(k), at < plan.samples.size() ? plan.samples[at].t : 0});
+    }
+    return stops;
+}
+
+}  // namespace strandline::pipeline
