@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "check/mutations.hpp"
 #include "plan/pipeline/pipeline.hpp"
 #include "result/check/check.hpp"
@@ -76,6 +78,48 @@ TEST(Pipeline, EditsAreKeptAndIdleOnesListed) {
     const auto left = std::find(order.begin(), order.end(), "left"),
                right = std::find(order.begin(), order.end(), "right");
     EXPECT_EQ(std::abs(left - right), 1);
+}
+
+TEST(Pipeline, ToolsAndOrderDecideBatchesAndStopsAreListed) {
+    Options options;
+    ASSERT_TRUE(
+        set(options, "drawing.rules", "id=outer: tool=2; id=right: order=-1; id=left: pause=by hand"));
+    const auto plan = planned("beachbot", options);
+    ASSERT_TRUE(plan) << sentence(plan.error());
+    // by pause (the elements before left, left, those after it), then tool, then order
+    EXPECT_EQ(drawn_order(*plan), (std::vector<std::string>{"inner", "outer", "left", "right"}));
+    ASSERT_EQ(plan->stops.size(), 2u);
+    EXPECT_EQ(plan->stops[0].why, "tool 2");
+    EXPECT_EQ(plan->stops[1].why, "layer by hand, tool 1");
+    for (const Stop& stop : plan->stops) {
+        const auto first = std::ranges::find(plan->samples, stop.stroke, &Sample::stroke);
+        EXPECT_LT(stop.time, first->t);
+        const auto before = std::ranges::find(plan->samples, stop.stroke - 1, &Sample::stroke);
+        EXPECT_GT(stop.time, before->t);
+    }
+    EXPECT_TRUE(check::prove(*plan).sound());
+}
+
+TEST(Pipeline, HintsThatCannotBeObeyedAreWarnedOfOnceAndTheRestAreKept) {
+    const char* const hinted = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
+  <g data-strandline-glitter="yes" data-strandline-fill-style="zigzag"><rect id="a" x="0" y="0" width="40" height="40"/>
+  <rect id="b" x="60" y="60" width="40" height="40" data-strandline-fill-style="spiral"/></g></svg>)";
+    const auto plan = make_plan({hinted, "hinted.svg"}, *builtin_robot("beachbot"), {}, {});
+    ASSERT_TRUE(plan) << sentence(plan.error());
+    EXPECT_EQ(
+        std::ranges::count_if(plan->warnings,
+                              [](const Warning& w) { return w.reason.find("glitter") != std::string::npos; }),
+        1);
+    const auto other = make_plan({hinted, "hinted.svg"}, *builtin_robot("beachbot"),
+                                 [] {
+                                     Options o;
+                                     o.fill.style = "zigzag";
+                                     return o;
+                                 }(),
+                                 {});
+    EXPECT_EQ(other->drawing.elements[1].hints[0].value, "spiral");
+    EXPECT_NEAR(plan->figures.drawn, other->figures.drawn, 1e-6)
+        << "both have their own style, whatever the setting";
 }
 
 TEST(Pipeline, ContradictoryEditsAreRefusedByName) {
