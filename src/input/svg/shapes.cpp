@@ -154,7 +154,8 @@ void add_painted(Walk& walk, pugi::xml_node node, const std::vector<Path>& outli
     if (lines && lines->empty()) shape.stroke.reset();
     if (around.clip) cut(shape, lines, *around.clip);
     if (!shape.fill && !shape.stroke)
-        return note(walk.notes, "wholly outside its clip or in the gaps of its dashes: draws nothing", node);
+        return note(walk.notes,
+                    "wholly outside its clip or mask, or in the gaps of its dashes: draws nothing", node);
     if (!shape.fill && lines)
         shape.subpaths = std::move(*lines);
     else if (shape.stroke)
@@ -241,12 +242,14 @@ void add_outline(Walk& walk, pugi::xml_node node, const std::vector<Path>& outli
     auto& collected = walk.collected;
     if (collected.purpose == Purpose::box) {
         collected.box = united(collected.box, bounds_of(mapped));
-    } else if (collected.purpose == Purpose::outlines) {
+    } else if (collected.purpose == Purpose::outlines || collected.purpose == Purpose::mask) {
         std::vector<Polygon> polygons;
         append_polygons(mapped, polygons);
-        const auto rule = region_rule(around.style.clip_rule);
+        const bool mask = collected.purpose == Purpose::mask;
+        const auto rule = region_rule(mask ? around.style.fill_rule : around.style.clip_rule);
         auto area =
             around.clip ? resolved_within(polygons, rule, around.clip->regions) : resolved(polygons, rule);
+        if (mask) return add_to_mask(collected, around, std::move(area));
         for (auto& [outer, holes] : area) {
             collected.outlines.push_back(std::move(outer));
             std::ranges::move(holes, std::back_inserter(collected.outlines));
