@@ -25,3 +25,10 @@ if(STRANDLINE_ASAN)
   # g++ 12 sees uninitialized members in std::regex when it is instrumented; the plain builds keep the warning.
   add_compile_options(-Wno-maybe-uninitialized)
 endif()
+
+if(STRANDLINE_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_compile_options(-Wno-deprecated-declarations)  # libstdc++ 12 calls get_temporary_buffer in stable_sort
+  add_link_options(-fsanitize=address,undefined)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+endif()

@@ -227,5 +227,23 @@ TEST(Drawing, NothingToDrawSaysWhy) {
     EXPECT_NE(error({stroked(line({{3, 3}, {3, 3}}))}).find("single points"), std::string::npos);
 }
 
+TEST(Drawing, AWideStrokeIsCutAtItsSidesToo) {
+    svg::Shape wide = stroked(line({{20, 50}, {60, 50}}));
+    wide.stroke_width = 10;
+    const Polygon lower{{0, 50}, {100, 50}, {100, 100}, {0, 100}};
+    wide.stroke_clip = std::make_shared<const Regions>(Regions{{lower, {}}});
+    const Drawing d = drawn({wide});
+    ASSERT_EQ(d.elements.size(), 1u);
+    EXPECT_NEAR(area(region_of(d, 0)), 200, 1e-3);
+}
+
+TEST(Drawing, AStrokeFollowsItsOwnLinesWhereItHasThem) {
+    svg::Shape dashed = stroked(square({0, 0}, 40));
+    dashed.lines = std::vector<Path>{line({{0, 0}, {10, 0}}), line({{20, 0}, {30, 0}})};
+    const Drawing d = drawn({dashed});
+    ASSERT_EQ(d.elements.size(), 2u);
+    EXPECT_NEAR(length(d.elements[0]) + length(d.elements[1]), 20, 1e-9);
+}
+
 }  // namespace
 }  // namespace strandline

@@ -213,6 +213,40 @@ TEST(Clip, AnEmptyOneLeavesNothingAndCirclesAreSaid) {
         "the box of what has no area"));
 }
 
+TEST(Mask, AnAreaOfWhiteCutsAndBlackTakesAway) {
+    const auto shown = [](const std::string& attributes, const std::string& content) {
+        return drawn("<mask id='m' " + attributes + ">" + content +
+                     "</mask><rect width='50' height='50' mask='url(#m)'/>");
+    };
+    const std::string white = "<rect width='20' height='10' fill='white'/>",
+                      black = "<rect width='5' height='5'/>",
+                      grey = "<rect width='9' height='9' fill='gray'/>";
+    EXPECT_NEAR(area_of(shown("", white).shapes.at(0)), 200, 1e-3);
+    EXPECT_NEAR(area_of(shown("", white + black).shapes.at(0)), 175, 1e-3);
+    EXPECT_NEAR(area_of(shown("", black + "<g>" + white + "</g>").shapes.at(0)), 200, 1e-3);
+    EXPECT_NEAR(area_of(shown("style='mask-type:alpha'", black + grey).shapes.at(0)), 81, 1e-3);
+    EXPECT_NEAR(
+        area_of(shown("maskUnits='userSpaceOnUse' x='10' y='0' width='50' height='5'", white).shapes.at(0)),
+        50, 1e-3);
+    EXPECT_TRUE(shown("", white).warnings.empty());
+    EXPECT_TRUE(shown("", black).shapes.empty());
+}
+
+TEST(Mask, WhatIsMoreThanAnAreaIsSaidAndNotApplied) {
+    for (const char* content :
+         {"<rect width='9' height='9' fill='gray'/>",
+          "<rect width='9' height='9' fill='white' opacity='.5'/>", "<path d='M0 0h9' stroke='white'/>",
+          "<image width='9' height='9'/>",
+          "<linearGradient id='g'><stop/><stop stop-color='white'/></linearGradient><rect width='9' "
+          "height='9' fill='url(#g)'/>"}) {
+        const auto document = drawn("<mask id='m'>" + std::string(content) +
+                                    "</mask><rect width='50' height='50' mask='url(#m)'/>");
+        ASSERT_EQ(document.shapes.size(), 1u) << content;
+        EXPECT_NEAR(area_of(document.shapes[0]), 2500, 1e-9) << content;
+        EXPECT_TRUE(warns_of(document, "a mask with shades or strokes is not supported")) << content;
+    }
+}
+
 const std::string arrow =
     "<marker id='m' markerWidth='4' markerHeight='4' refX='1' refY='2' orient='auto' overflow='visible'>"
     "<path d='M0 0L4 2L0 4z' fill='context-stroke'/></marker>";

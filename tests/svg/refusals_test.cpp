@@ -6,6 +6,7 @@
 #include <iterator>
 #include <random>
 
+#include "contract.hpp"
 #include "svg_case.hpp"
 
 namespace strandline::svg {
@@ -105,23 +106,11 @@ TEST(Refusals, StoppingKeepsWhatWasRead) {
     EXPECT_TRUE(warns_of(*document, "stopped here"));
 }
 
-bool well_formed(const Document& document) {
-    for (const auto& shape : document.shapes) {
-        if (!shape.fill && !shape.stroke) return false;
-        if (shape.subpaths.empty() || !std::isfinite(shape.stroke_width)) return false;
-        for (const auto& path : shape.subpaths) {
-            const auto box = bounds(path);
-            if (path.segments.empty() || !is_finite(box.low) || !is_finite(box.high)) return false;
-            if (path.closed && end_of(path) != path.start) return false;
-        }
-    }
-    return true;
-}
 /// A document that keeps its contract, or an error that says something.
 void expect_answer(const std::string& bytes) {
     const auto document = read(bytes);
     if (document)
-        EXPECT_TRUE(well_formed(*document)) << bytes;
+        EXPECT_TRUE(keeps_contract(*document)) << bytes;
     else
         EXPECT_FALSE(document.error().reason.empty()) << bytes;
 }
@@ -186,7 +175,7 @@ TEST(Law, RealDrawingsAreReadAndSurviveMutation) {
         const std::string text((std::istreambuf_iterator<char>(file)), {});
         const auto document = read_well(text);
         EXPECT_FALSE(document.shapes.empty()) << entry.path();
-        EXPECT_TRUE(well_formed(document)) << entry.path();
+        EXPECT_TRUE(keeps_contract(document)) << entry.path();
         if (text.size() < 50'000)
             for (int i = 0; i < 50; ++i) expect_answer(mutated(text, random));
     }

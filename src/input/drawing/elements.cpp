@@ -61,6 +61,20 @@ Regions grown_by_stroke(const Regions& area, const std::vector<Path>& paths, con
     return united(area, stroked(paths, shape, radius, tolerance));
 }
 
+/// On the canvas, whose y axis is the other way up.
+Regions moved(const Regions& regions, const Affine& map) {
+    std::vector<Polygon> outlines;
+    const auto add = [&](Polygon polygon) {
+        for (Point& p : polygon) p = apply(map, p);
+        outlines.push_back(std::move(polygon));
+    };
+    for (const Region& region : regions) {
+        add(region.outer);
+        for (const Polygon& hole : region.holes) add(hole);
+    }
+    return resolved(outlines, FillRule::even_odd);
+}
+
 class Ids {
   public:
     /// `id` for the first piece, "id/2", "id/3" ... for the next: the number of the piece, so that an id
@@ -107,6 +121,8 @@ Painted painted(const Inked& inked, const Placement& placement, const Robot& rob
     if (stroke_is_area(rest, robot, placement.scale)) {
         result.area = had_fill ? grown_by_stroke(result.area, lines, shape, width / 2, options.tolerance)
                                : stroked(lines, shape, width / 2, options.tolerance);
+        if (shape.stroke_clip)
+            result.area = intersected(result.area, moved(*shape.stroke_clip, placement.to_canvas));
         if (!had_fill) ++counts.wide_strokes;
     }
     if (had_fill && inked.stroke) ++counts.merged;
@@ -114,7 +130,8 @@ Painted painted(const Inked& inked, const Placement& placement, const Robot& rob
     if (inked.fill_hides) result.hides = filled(paths, shape.fill_rule, options.tolerance);
     // A bare stroke narrower than one groove is no gap that sand could show.
     if (inked.stroke_hides && width >= robot.pin_pitch) {
-        const Regions band = stroked(lines, shape, width / 2, options.tolerance);
+        Regions band = stroked(lines, shape, width / 2, options.tolerance);
+        if (shape.stroke_clip) band = intersected(band, moved(*shape.stroke_clip, placement.to_canvas));
         if (!result.area.empty()) result.area = subtracted(result.area, band);
         result.hides = result.hides.empty() ? band : united(result.hides, band);
     }

@@ -9,7 +9,7 @@ namespace {
 
 /// The box of what the element draws, in its own units, strokes and clips not counted.
 Box box_of(Walk& walk, pugi::xml_node node, Kind kind, const Surroundings& around, int depth) {
-    auto outer = std::exchange(walk.collected, Collected{Purpose::box, {}, {}});
+    auto outer = std::exchange(walk.collected, Collected{Purpose::box});
     const bool silent = std::exchange(walk.notes.silent, true);
     Surroundings inner = around;
     inner.map = {};
@@ -23,10 +23,7 @@ Box box_of(Walk& walk, pugi::xml_node node, Kind kind, const Surroundings& aroun
 /// that element, where the clipPath asks for it.
 std::shared_ptr<Clip> clip_of(Walk& walk, pugi::xml_node clip_path, pugi::xml_node user,
                               const std::optional<Box>& box, const Surroundings& around, int depth) {
-    ClipKey key{clip_path.hash_value(), {}};
-    const Affine& m = around.map;
-    const Box unit = box.value_or(Box{{0, 0}, {0, 0}});
-    key.map_and_box = {m.a, m.b, m.c, m.d, m.e, m.f, unit.low.x, unit.low.y, unit.width(), unit.height()};
+    const ClipKey key = clip_key(clip_path, around.map, box.value_or(Box{{0, 0}, {0, 0}}));
     if (const auto known = walk.clips.find(key); known != walk.clips.end()) return known->second;
 
     Surroundings inner = around;
@@ -48,7 +45,7 @@ std::shared_ptr<Clip> clip_of(Walk& walk, pugi::xml_node clip_path, pugi::xml_no
         own.map = around.map;
         enter_clip(walk, clip_path, Kind::silent, own, depth + 1);
         inner.clip = own.clip;
-        auto outer = std::exchange(walk.collected, Collected{Purpose::outlines, {}, {}});
+        auto outer = std::exchange(walk.collected, Collected{Purpose::outlines});
         walk_children(walk, clip_path, inner, depth + 1);
         auto outlines = std::exchange(walk.collected, std::move(outer)).outlines;
         clip = make_clip(resolved(outlines, strandline::FillRule::nonzero));
@@ -57,12 +54,27 @@ std::shared_ptr<Clip> clip_of(Walk& walk, pugi::xml_node clip_path, pugi::xml_no
     return clip;
 }
 
+void enter_mask(Walk& walk, pugi::xml_node node, Surroundings& around, int depth) {
+    if (around.style.mask.empty()) return;
+    const auto target = element_of(walk.references, around.style.mask);
+    if (local_name(target.name()) != "mask")
+        return note(walk.notes, "a mask that is not in the file: drawn unmasked", node, around.style.mask);
+    if (const auto area = mask_of(walk, target, node, around, depth))
+        around.clip = both(around.clip, area);
+    else
+        note(walk.notes, "a mask with shades or strokes is not supported: drawn unmasked", node);
+}
+
 }  // namespace
+
+ClipKey clip_key(pugi::xml_node node, const Affine& m, const Box& box) {
+    return {node.hash_value(),
+            {m.a, m.b, m.c, m.d, m.e, m.f, box.low.x, box.low.y, box.width(), box.height()}};
+}
 
 bool enter_clip(Walk& walk, pugi::xml_node node, Kind kind, Surroundings& around, int depth) {
     if (walk.collected.purpose == Purpose::box) return true;
-    if (!around.style.mask.empty() && walk.collected.purpose == Purpose::shapes)
-        note(walk.notes, "mask is not supported: drawn unmasked", node);
+    if (walk.collected.purpose == Purpose::shapes) enter_mask(walk, node, around, depth);
     const auto id = around.style.clip_path;
     if (id.empty()) return true;
     const auto target = element_of(walk.references, id);

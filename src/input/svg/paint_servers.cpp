@@ -47,7 +47,7 @@ std::optional<Served> mean_of_stops(pugi::xml_node gradient, StyleContext& conte
         return static_cast<unsigned char>(alpha > 0 ? sum / alpha + 0.5 : 0);
     };
     const Ink mean = uniform ? first : Ink{{channel(red), channel(green), channel(blue)}, alpha / stops};
-    return Served{{Brush::Kind::ink, mean}, uniform};
+    return Served{{Brush::Kind::ink, mean, !uniform}, uniform};
 }
 
 /// Of the gradient, or of the one whose stops it takes over. Every gradient's stops are read once, however
@@ -85,7 +85,7 @@ std::optional<Brush> served_paint(std::string_view id, pugi::xml_node user, Styl
     auto& notes = context.notes;
     if (name == "pattern" || name == "hatch") {
         note(notes, "a pattern: drawn as black ink", user);
-        return Brush{Brush::Kind::ink, {}};
+        return Brush{Brush::Kind::ink, {}, true};
     }
     if (!is_gradient(node)) return std::nullopt;
     const auto served = served_gradient(id, context);

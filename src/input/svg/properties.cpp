@@ -244,6 +244,8 @@ constexpr std::array properties = std::to_array<Property>({
      [](Setter& to, Value name, Value value) { set_reference(to.style.marker_start, to, name, value); }},
     {"mask", false, take<&Style::mask>,
      [](Setter& to, Value name, Value value) { set_reference(to.style.mask, to, name, value); }},
+    {"mask-type", false, take<&Style::alpha_mask>,
+     [](Setter& to, Value, Value value) { to.style.alpha_mask = value == "alpha"; }},
     {"mix-blend-mode", false, nullptr,
      [](Setter& to, Value, Value value) {
          say_unless_none(to, value, "mix-blend-mode is not supported: drawn plainly");

@@ -115,7 +115,8 @@ strandline::FillRule region_rule(FillRule rule) {
 
 /// Cuts subpaths (the fill) and lines (the stroke, where it does not follow the subpaths) to the clip; paint
 /// that has nothing left is taken off.
-void cut(Shape& shape, std::optional<std::vector<Path>>& lines, Clip& clip) {
+void cut(Shape& shape, std::optional<std::vector<Path>>& lines, const std::shared_ptr<Clip>& limit) {
+    Clip& clip = *limit;
     const auto& stroked = lines ? *lines : shape.subpaths;
     Box box = bounds_of(shape.subpaths);
     if (lines) box = united(box, bounds_of(*lines));
@@ -124,7 +125,10 @@ void cut(Shape& shape, std::optional<std::vector<Path>>& lines, Clip& clip) {
     if (cover == AreaIndex::Cover::inside) return;
     if (shape.stroke) {
         auto left = clipped_lines(stroked, clip);
-        if (left.empty()) shape.stroke.reset();
+        if (left.empty())
+            shape.stroke.reset();
+        else
+            shape.stroke_clip = std::shared_ptr<const Regions>(limit, &limit->regions);
         if (left != stroked) lines = std::move(left);
     }
     if (shape.fill && clip.index.cover_of(bounds_of(shape.subpaths)) != AreaIndex::Cover::inside) {
@@ -152,9 +156,10 @@ void add_painted(Walk& walk, pugi::xml_node node, const std::vector<Path>& outli
     auto lines = shape.stroke ? dashes_of(walk, node, outline, shape.subpaths, around) : std::nullopt;
     if (walk.error) return;
     if (lines && lines->empty()) shape.stroke.reset();
-    if (around.clip) cut(shape, lines, *around.clip);
+    if (around.clip) cut(shape, lines, around.clip);
     if (!shape.fill && !shape.stroke)
-        return note(walk.notes, "wholly outside its clip or in the gaps of its dashes: draws nothing", node);
+        return note(walk.notes,
+                    "wholly outside its clip or mask, or in the gaps of its dashes: draws nothing", node);
     if (!shape.fill && lines)
         shape.subpaths = std::move(*lines);
     else if (shape.stroke)
@@ -241,12 +246,14 @@ void add_outline(Walk& walk, pugi::xml_node node, const std::vector<Path>& outli
     auto& collected = walk.collected;
     if (collected.purpose == Purpose::box) {
         collected.box = united(collected.box, bounds_of(mapped));
-    } else if (collected.purpose == Purpose::outlines) {
+    } else if (collected.purpose == Purpose::outlines || collected.purpose == Purpose::mask) {
         std::vector<Polygon> polygons;
         append_polygons(mapped, polygons);
-        const auto rule = region_rule(around.style.clip_rule);
+        const bool mask = collected.purpose == Purpose::mask;
+        const auto rule = region_rule(mask ? around.style.fill_rule : around.style.clip_rule);
         auto area =
             around.clip ? resolved_within(polygons, rule, around.clip->regions) : resolved(polygons, rule);
+        if (mask) return add_to_mask(collected, around, std::move(area));
         for (auto& [outer, holes] : area) {
             collected.outlines.push_back(std::move(outer));
             std::ranges::move(holes, std::back_inserter(collected.outlines));

@@ -49,6 +49,7 @@ Style resolved_style(pugi::xml_node node, const Style& parent, StyleContext& con
     style.displayed = initial.displayed;
     style.scaling_stroke = initial.scaling_stroke;
     style.overflows = initial.overflows;
+    style.alpha_mask = initial.alpha_mask;
     style.clip_path = style.mask = style.transform = style.transform_origin = {};
     Setter setter{node, parent, style, context};
     const auto declarations = cascade(node, context);

@@ -21,6 +21,7 @@ namespace strandline::svg {
 struct Brush {
     enum class Kind { none, ink, current, context_fill, context_stroke } kind = Kind::none;
     Ink ink;
+    bool mixed = false;  ///< it stands for a gradient or pattern of several
 };
 
 /// References are ids, empty for none; texts point into the document.
@@ -48,6 +49,7 @@ struct Style {
     bool displayed = true;          ///< an element that is not displayed takes its children with it
     bool scaling_stroke = true;     ///< false: vector-effect non-scaling-stroke
     std::optional<bool> overflows;  ///< overflow visible (or hidden), where the element says so
+    bool alpha_mask = false;        ///< mask-type of a <mask>
     std::string_view clip_path, mask, transform, transform_origin;
 };
 

@@ -3,6 +3,7 @@
 // not understood is a warning with its place; nothing is dropped silently. The contract of the tree that
 // comes out is in docs/svg.md.
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "base/outcome/outcome.hpp"
 #include "math/curve/curve.hpp"
+#include "math/region/region.hpp"
 
 namespace strandline::svg {
 
@@ -63,6 +65,9 @@ struct Shape {
     /// What the stroke follows where it is not the fill's outline: dashes, or what a clip left of it. Use
     /// stroked_paths().
     std::optional<std::vector<Path>> lines = {};
+    /// What a clip leaves of the stroke's own area, root user units; absent: all. `lines` are cut to it
+    /// already; whoever draws the stroke as wide as it is cuts its sides too.
+    std::shared_ptr<const Regions> stroke_clip = {};
     std::vector<Hint> hints = {};  ///< sorted by name; the element's own before those of its groups
 };
 inline const std::vector<Path>& stroked_paths(const Shape& shape) {

@@ -121,6 +121,7 @@ void add_text(Walk& walk, pugi::xml_node node, const Surroundings& around, int d
             note(walk.notes, "hidden (visibility): left out", node);
         return;
     }
+    if (!walk.options.text_outlines) walk.collected.unclear = true;
     if (!walk.options.text_outlines) return say_left_out(walk, node, text);
     if (determinant(around.map) == 0)
         return note(walk.notes, "a transform that leaves no area: draws nothing", node);

@@ -196,7 +196,10 @@ void walk_element(Walk& walk, pugi::xml_node node, const Surroundings& outside, 
     if (!root && !is_svg_element(node.name(), around)) return;  // of another language: never drawn
     const auto named = root ? kind_named("svg") : kind_named(local_name(node.name()));
     if (named.kind == Kind::silent || (named.kind == Kind::symbol && !target)) return;
-    if (named.kind == Kind::left_out) return note(walk.notes, named.reason, node);
+    if (named.kind == Kind::left_out) {
+        walk.collected.unclear = true;
+        return note(walk.notes, named.reason, node);
+    }
     if (named.kind == Kind::unknown)
         return note(walk.notes, "an element that SVG does not know: left out", node, node.name());
 

@@ -41,12 +41,16 @@ struct Surroundings {
     std::optional<Paint> context_fill, context_stroke;  ///< of the shape that carries the marker
 };
 
-/// What the walk is for: shapes, or, for clips, the box of an element or the outlines of a clipPath.
-enum class Purpose { shapes, box, outlines };
+/// What the walk is for: shapes, or, for clips, the box of an element, the outlines of a clipPath or the area
+/// that a mask lets through.
+enum class Purpose { shapes, box, outlines, mask };
 struct Collected {
     Purpose purpose = Purpose::shapes;
-    Box box;
-    std::vector<Polygon> outlines;
+    Box box = {};
+    std::vector<Polygon> outlines = {};
+    Regions area = {};
+    bool alpha = false;    ///< of a mask: opacity counts, not brightness
+    bool unclear = false;  ///< of a mask: it holds more than shapes that let all through or nothing
 };
 
 struct Walk {
@@ -143,7 +147,15 @@ void add_markers(Walk& walk, pugi::xml_node node, const std::vector<Path>& outli
 /// Sets around.clip to what the element's clip-path (and mask, where that is no more than one) leaves of it.
 /// False when nothing is left.
 bool enter_clip(Walk& walk, pugi::xml_node node, Kind kind, Surroundings& around, int depth);
+ClipKey clip_key(pugi::xml_node node, const Affine& map, const Box& box);
 /// Cuts at a rectangle of the element's own units.
 void clip_to(Walk& walk, Surroundings& around, const Box& box);
+
+// ---- masks.cpp
+/// The area that a mask lets through at a place; nothing where it is more than an area.
+std::shared_ptr<Clip> mask_of(Walk& walk, pugi::xml_node mask, pugi::xml_node user,
+                              const Surroundings& around, int depth);
+/// Paints an area of root units onto the mask that is being collected.
+void add_to_mask(Collected& collected, const Surroundings& around, Regions area);
 
 }  // namespace strandline::svg
