@@ -33,6 +33,33 @@ void svg_read(benchmark::State& state) {
 }
 BENCHMARK(svg_read);
 
+/// 20 MB, 300,000 cubic segments in 30,000 paths with classes, as a large map or tracing has them.
+void svg_read_20_mb(benchmark::State& state) {
+    std::mt19937_64 random(20140704);
+    std::string text = "<svg viewBox='0 0 1000 1000'><style>";
+    const auto put = [&](const char* before, auto number) {
+        text += before;
+        text += std::to_string(number);
+    };
+    for (int i = 0; i < 500; ++i) {
+        put(".c", i);
+        put("{fill:#", 100 + i);
+        text += '}';
+    }
+    text += "</style>";
+    for (int i = 0; i < 30'000; ++i) {
+        put("<path class='c", i % 500);
+        put("' d='M", uniform(random, 0, 1000));
+        put(" ", uniform(random, 0, 1000));
+        put(" c", 0);
+        for (int k = 1; k < 60; ++k) put(" ", uniform(random, -3, 3));
+        text += "z'/>\n";
+    }
+    for (auto _ : state) benchmark::DoNotOptimize(svg::read(text));
+    state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
+}
+BENCHMARK(svg_read_20_mb)->Unit(benchmark::kMillisecond);
+
 void drawing_made(benchmark::State& state) {
     const auto document = svg::read(drawing_text("mandala.svg"));
     const Robot robot = *builtin_robot("beachbot");
