@@ -96,7 +96,8 @@ Plan any_plan(std::uint64_t seed) {
         else if (auto* const* flag = std::get_if<bool*>(&field))
             **flag = random() % 2;
         else if (auto* const* word = std::get_if<std::string*>(&field))
-            **word = setting.choices[random() % setting.choices.size()];
+            **word = setting.kind == Setting::Kind::text ? "id=" + std::to_string(random() % 100) + ": tool=2"
+                                                         : setting.choices[random() % setting.choices.size()];
     }
     return plan;
 }

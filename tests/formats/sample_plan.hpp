@@ -85,7 +85,11 @@ inline Plan sample_plan() {
     drawing.counts.shapes = 3;
     drawing.warnings = {{"line 7, <text>", "text is not drawn"}};
     drawing.elements = {{"first", "lines", LineElement{path_through({{2, 2}, {6, 2}}, false), 1}, -1},
-                        {"second", "", LineElement{path_through({{6.4, 3}, {3, 3}}, false), 3}, -1},
+                        {"second",
+                         "",
+                         LineElement{path_through({{6.4, 3}, {3, 3}}, false), 3},
+                         -1,
+                         {{"pause", "!gold"}, {"tool", "2"}}},
                         {"door", "",
                          RegionElement{{{{1.5, 5}, {3.1, 5}, {3.1, 8}, {1.5, 8}},
                                         {{{2.1, 6}, {2.1, 7}, {2.5, 7}, {2.5, 6}}}}},
@@ -111,6 +115,7 @@ inline Plan sample_plan() {
     driver.drive(3.2, 0, Motion::draw, 127, 3);
     plan.samples = driver.finished();
     plan.connections = {{0, 1, 0, 0, half_turn}, {1, 2, -pi / 2, 0, up}, {2, 3, 0, 0, over}};
+    plan.stops = {{"tool 2", 1, 12.5}};
     plan.undrivable = {{"corner too tight", {3, 3}, 0.05}};
     plan.warnings = {{"", "one corner is rounded"}};
 

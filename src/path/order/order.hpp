@@ -31,9 +31,9 @@ struct Job {
     std::vector<Group> groups;
     std::vector<std::pair<int, int>> before;  ///< first group is finished before the second begins
     std::vector<Tie> ties;
-    std::vector<std::vector<int>>
-        batches;                 ///< each drawn without others between, in this order; may be empty
     std::optional<Point> start;  ///< the drive begins near here
+    /// Groups drawn without others between, in this order; all of them, or none.
+    std::vector<std::vector<int>> batches = {};
 };
 struct Options {
     tour::Options tour;
