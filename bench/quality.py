@@ -3,12 +3,13 @@
 
 Measures what the program makes, from outside, by its commands. Two columns where a judge has cases of its own: the judge's cases and fresh
 seeded ones made here, so that nothing is tuned to the first. Without the judges' folder only the second column is filled, by the checks in
-this file. Sections: drawings, clipart, tour, connect, fill, convert. Needs python3; the judges need numpy and shapely.
+this file. Sections: drawings, clipart, svg, tour, connect, fill, convert. Needs python3; the judges need numpy and shapely.
 """
 import argparse, json, math, os, random, resource, statistics, subprocess, sys, tempfile, time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+AGREEMENT = None  # the program of bench/agreement
 
 
 def run(arguments, stdin=None, timeout=600):
@@ -106,6 +107,47 @@ def clipart(program, shared, folder):
         if kind.startswith(("crash", "hang", "exit")): odd.append(f"{path.name}: {kind}")
     table("300 random files of Debian's openclipart-svg (seed 2014)", ["outcome", "files"], sorted(counts.items(), key=lambda c: -c[1]))
     print(f"\nCPU s a file: median {percent(cpus, .5):.2f}, p95 {percent(cpus, .95):.2f}, largest {max(cpus):.2f}; over 5 s: {', '.join(slow) or 'none'}; crashes, hangs: {', '.join(odd) or 'none'}; files by broken law: {laws or 'none'}")
+
+
+# ---- svg: what is read, beside librsvg -------------------------------------------------------------------------
+
+def svg_corpus(tool, title, files):
+    """every file in a process of fifty; one that dies or takes too long is found by itself"""
+    rows, odd = [], []
+    def look(batch):
+        code, out, _, _, _ = run([tool, *batch], timeout=60 + 10 * len(batch))
+        lines = [l.split("\t") for l in out.split("\n") if l.count("\t") >= 5]
+        if code == 0: return rows.extend(lines)
+        if len(batch) == 1: return odd.append(f"{batch[0].name}: {'hang' if code is None else f'crash ({code})'}")
+        for path in batch: look([path])
+    for i in range(0, len(files), 50): look(files[i:i + 50])
+    read = [r for r in rows if r[1] == "read"]
+    agree = [r for r in read if float(r[2]) >= 0.95]
+    # of the warnings only those that name paint which is drawn otherwise, or not at all
+    known = ("gradient", "pattern", "text", "image", "mask", "filter", "clip", "font", "foreignObject")
+    named = lambda r: any(word in r[5] for word in known)
+    listed = [r for r in read if float(r[2]) < 0.95 and named(r)]
+    silent = [r for r in read if float(r[2]) < 0.95 and not named(r)]
+    count = lambda kind: sum(r[1] == kind for r in rows)
+    reading, drawing = [float(r[3]) for r in rows], [float(r[4]) for r in rows if r[4]]
+    table(f"SVG: {title}", ["figure", "value"], [
+        ["files; crashes and hangs", f"{len(files)}; {', '.join(odd) or 'none'}"],
+        ["refused with a reason; without shapes; refused by librsvg", f"{count('refused')}; {count('no shapes')}; {count('librsvg refuses')}"],
+        ["compared at 512 px", len(read)],
+        ["agree to 0.95", f"{len(agree)} ({100 * len(agree) / max(1, len(read)):.1f} %)"],
+        ["less, and the file's own warnings name something left out", len(listed)],
+        ["agree, or are listed", f"{100 * (len(agree) + len(listed)) / max(1, len(read)):.2f} %"],
+        ["less without a warning", f"{len(silent)}: " + ", ".join(f"{Path(r[0]).name} {r[2]}" for r in sorted(silent, key=lambda r: float(r[2]))[:12])],
+        ["reading, s: all, slowest", f"{sum(reading):.1f}, {max(reading, default=0):.2f}"],
+        ["drawing (occlusion, joining, enclosure), s: all, slowest", f"{sum(drawing):.1f}, {max(drawing, default=0):.2f}"]])
+
+
+def svg(program, shared, folder):
+    if not AGREEMENT or not Path(AGREEMENT).exists():
+        return print("\nSVG: librsvg is not at hand; left out.")
+    for title, source in (("Debian's openclipart-svg", "/usr/share/openclipart/svg"), ("librsvg2-tests", "/usr/libexec/installed-tests/RSVG")):
+        files = sorted(Path(source).rglob("*.svg")) if Path(source).is_dir() else []
+        if files: svg_corpus(AGREEMENT, title, [f for f in files if f.is_file()])
 
 
 # ---- tour ----------------------------------------------------------------------------------------------------
@@ -274,8 +316,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
     parser.add_argument("--shared", default=ROOT.parent / "shared", type=Path)
-    parser.add_argument("--only", default="drawings,clipart,tour,connect,fill,convert")
+    parser.add_argument("--only", default="drawings,clipart,svg,tour,connect,fill,convert")
+    parser.add_argument("--agreement", help="the program that draws beside librsvg")
     arguments = parser.parse_args()
+    global AGREEMENT
+    AGREEMENT = arguments.agreement
     program = Path(arguments.program).resolve()
     version = run([program, "--version"])[1].strip()
     print(f"# Bench\n\n{version}, measured {time.strftime('%Y-%m-%d')} by `scripts/bench`. Times are of a shared two-core machine: compare ratios.")
