@@ -66,6 +66,11 @@ Outcome<Drawing> make_drawing(const svg::Document& document, const Robot& robot,
     drop_duplicates(drawing.elements, options.join_tolerance, drawing.counts);
     join_lines(drawing.elements, options.join_tolerance, drawing.counts);
     drop_duplicates(drawing.elements, options.join_tolerance, drawing.counts);
+    for (Element& element : drawing.elements)
+        if (auto* line = std::get_if<LineElement>(&element.what)) {
+            if (options.simplify > 0) line->path = simplified(line->path, options.simplify);
+            if (options.smooth > 0) line->path = smoothed(line->path, options.smooth);
+        }
     drop_short(drawing.elements, options.min_length, drawing.counts);
     if (drawing.elements.empty()) return nothing_to_draw(drawing.counts);
     find_enclosures(drawing.elements, options.join_tolerance);

@@ -66,6 +66,8 @@ struct DrawingOptions {
     double tolerance = 0.002;            ///< metres: flattening of regions
     double join_tolerance = 0.005;       ///< metres: line ends that near are one point
     double min_length = 0.01;            ///< metres: shorter lines are dropped and counted
+    double simplify = 0;                 ///< metres: lines by fewer points within this; 0: as they are
+    double smooth = 0;                   ///< metres: lines as smooth curves within this; 0: as they are
     double min_area = 0.0;               ///< m^2: smaller regions are dropped and counted
     double ink_threshold = 0.9;          ///< relative luminance above which paint is bare sand
     bool invert = false;                 ///< light on dark: what is bright is ink, and the ground is black

@@ -91,6 +91,10 @@ std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placeme
 void join_lines(std::vector<Element>& elements, double tolerance, DrawingCounts& counts);
 /// Of elements that are the same within the tolerance the first stays, with the most pins of them.
 void drop_duplicates(std::vector<Element>& elements, double tolerance, DrawingCounts& counts);
+/// The line through fewer of its points, or as smooth curves with corners only where it turns by 60 degrees
+/// within the tolerance; either way within the tolerance of its points. O(n log n) typical.
+Path simplified(const Path& path, double tolerance);
+Path smoothed(const Path& path, double tolerance);
 void drop_short(std::vector<Element>& elements, double min_length, DrawingCounts& counts);
 /// Sets `inside` of every element.
 void find_enclosures(std::vector<Element>& elements, double tolerance);

@@ -254,6 +254,12 @@ constexpr std::array properties = std::to_array<Property>({
      [](Setter& to, Value name, Value value) { set_share(to.style.opacity, to, name, value); }},
     {"overflow", false, take<&Style::overflows>,
      [](Setter& to, Value, Value value) { to.style.overflows = value == "visible" || value == "auto"; }},
+    {"paint-order", true, nullptr,
+     [](Setter& to, Value, Value value) {
+         if (value != "normal" && !value.starts_with("fill"))
+             note(to.context.notes, "paint-order is not supported: the stroke is painted over the fill", to.node,
+                  value);
+     }},
     {"stroke", true, take<&Style::stroke>,
      [](Setter& to, Value name, Value value) { set_brush(to.style.stroke, to, name, value); }},
     {"stroke-dasharray", true, take<&Style::dashes>, set_dashes},

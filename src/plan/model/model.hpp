@@ -35,6 +35,7 @@ struct Options {
     } canvas;
     struct Draw {  // "drawing.*"
         double tolerance = 0.002, join_tolerance = 0.005, min_length = 0.01;
+        double simplify = 0, smooth = 0;  // metres; 0: lines stay as they are
         bool occlusion = true;
         std::string layers;  // names, separated by ";"; empty: all
         std::string rules;   // what rules_of() reads

@@ -31,6 +31,8 @@ Outcome<DrawingOptions> drawing_options(const Options& options) {
     o.join_tolerance = options.drawing.join_tolerance;
     o.min_length = options.drawing.min_length;
     o.min_area = options.fill.min_area;
+    o.simplify = options.drawing.simplify;
+    o.smooth = options.drawing.smooth;
     o.occlusion = options.drawing.occlusion;
     o.ink_threshold = options.ink.threshold;
     o.invert = options.ink.invert;
