@@ -118,6 +118,12 @@ TEST(Style, WhatHasNoPaintIsLeftOutAndCounted) {
     EXPECT_TRUE(warns_of(document, "neither filled nor stroked: draws nothing (2 times, first here)"));
 }
 
+TEST(Style, AStrokeUnderItsFillIsWarnedOfUnlessThatIsTheUsualOrder) {
+    const std::string path = "<path d='M0 0h9v9z' stroke='red' ";
+    EXPECT_TRUE(warns_of(drawn(path + "paint-order='stroke'/>"), "paint-order is not supported"));
+    EXPECT_FALSE(warns_of(drawn(path + "style='paint-order:fill stroke'/>"), "paint-order is not supported"));
+}
+
 TEST(Style, AStrokeThatDoesNotScaleKeepsItsWidthOnThePage) {
     const auto document = read_well(
         "<svg viewBox='0 0 10 10' width='100' height='100'><path d='M0 0h1' stroke='red' stroke-width='5' "
