@@ -22,6 +22,7 @@ void expect_same(const std::string& text) {
         EXPECT_EQ(a.id, b.id);
         EXPECT_EQ(a.layer, b.layer);
         EXPECT_EQ(a.subpaths, b.subpaths) << a.id;
+        EXPECT_EQ(a.hints, b.hints) << a.id;
         EXPECT_EQ(a.fill, b.fill) << a.id;
         EXPECT_EQ(a.stroke, b.stroke) << a.id;
         EXPECT_TRUE(!a.fill || a.fill_rule == b.fill_rule) << a.id;
@@ -37,7 +38,7 @@ TEST(Write, PathsPaintsAndSizesComeBack) {
     expect_same(R"(<svg xmlns='http://www.w3.org/2000/svg' width='30mm' height='20mm' viewBox='-1.5 2 300 200'
         rake_sizes='0 1 2 3 4'>
       <path id='a' d='M0.1 0.2L1 7 3.3 4Z M5 5C6 6 7 8 9.7 1' fill='#102030' fill-rule='evenodd' opacity='.3'/>
-      <path id='b &amp; &quot;c&quot; &lt;' d='M0 0L1e-9 123456.789' stroke='red' stroke-width='.7' fill='none'
+      <path id='b &amp; &quot;c&quot; &lt;' d='M0 0L1e-9 123456.789' stroke='red' data-strandline-fill='zigzag' stroke-width='.7' fill='none'
         stroke-linecap='round' stroke-linejoin='bevel'/></svg>)");
 }
 TEST(Write, LayersComeBack) {
@@ -47,6 +48,17 @@ TEST(Write, LayersComeBack) {
       <g inkscape:groupmode='layer' inkscape:label='sea &amp; sky'><path id='in' d='M0 0L2 1' stroke='black'/>
         <g inkscape:groupmode='layer' inkscape:label='deep'><path id='two' d='M0 0L2 1' stroke='black'/></g></g>
       <path id='last' d='M0 0L1 1' stroke='black'/></svg>)");
+}
+TEST(Write, DashesOfAFilledShapeAreASecondPath) {
+    const Document first = drawn("<path id='a' d='M10 10H50V50H10Z' stroke='red' stroke-dasharray='5 3'/>");
+    const Document second = read_well(write(first));
+    ASSERT_EQ(second.shapes.size(), 2U);
+    EXPECT_EQ(second.shapes[0].id, "a");
+    EXPECT_FALSE(second.shapes[0].stroke);
+    EXPECT_EQ(second.shapes[0].subpaths, first.shapes[0].subpaths);
+    EXPECT_EQ(second.shapes[1].id, "a/stroke");
+    EXPECT_FALSE(second.shapes[1].fill);
+    EXPECT_EQ(second.shapes[1].subpaths, stroked_paths(first.shapes[0]));
 }
 TEST(Write, ArcsComeBackTurnedSkewedAndMirrored) {
     for (const char* map : {"rotate(30)", "scale(-1 1)", "skewX(25)", "matrix(1 .4 -2 .3 5 6)"}) {

@@ -94,19 +94,32 @@ std::string paint_text(const char* property, const std::optional<Paint>& paint) 
     return text;
 }
 
+std::string stroke_text(const Shape& shape) {
+    constexpr std::array caps{"butt", "round", "square"}, joins{"miter", "round", "bevel"};
+    std::string text = paint_text("stroke", shape.stroke) +
+                       fmt::format(" stroke-width=\"{}\"", number_text(shape.stroke_width));
+    if (shape.cap != LineCap::butt)
+        text += fmt::format(" stroke-linecap=\"{}\"", caps[static_cast<std::size_t>(shape.cap)]);
+    if (shape.join != LineJoin::miter)
+        text += fmt::format(" stroke-linejoin=\"{}\"", joins[static_cast<std::size_t>(shape.join)]);
+    return text;
+}
+
+std::string element(const std::string& id, const std::string& attributes, const std::vector<Path>& paths) {
+    return fmt::format("<path id=\"{}\"{} d=\"{}\"/>\n", escaped(id), attributes, path_data(paths));
+}
+
 std::string shape_text(const Shape& shape) {
-    std::string text = fmt::format("<path id=\"{}\"{}", escaped(shape.id), paint_text("fill", shape.fill));
-    if (shape.fill && shape.fill_rule == FillRule::even_odd) text += " fill-rule=\"evenodd\"";
-    if (shape.stroke) {
-        constexpr std::array caps{"butt", "round", "square"}, joins{"miter", "round", "bevel"};
-        text += paint_text("stroke", shape.stroke) +
-                fmt::format(" stroke-width=\"{}\"", number_text(shape.stroke_width));
-        if (shape.cap != LineCap::butt)
-            text += fmt::format(" stroke-linecap=\"{}\"", caps[static_cast<std::size_t>(shape.cap)]);
-        if (shape.join != LineJoin::miter)
-            text += fmt::format(" stroke-linejoin=\"{}\"", joins[static_cast<std::size_t>(shape.join)]);
-    }
-    return text + " d=\"" + path_data(shape.subpaths) + "\"/>\n";
+    std::string hints, fill = paint_text("fill", shape.fill);
+    for (const Hint& hint : shape.hints)
+        hints += fmt::format(" data-strandline-{}=\"{}\"", hint.name, escaped(hint.value));
+    if (shape.fill && shape.fill_rule == FillRule::even_odd) fill += " fill-rule=\"evenodd\"";
+    if (!shape.stroke) return element(shape.id, fill + hints, shape.subpaths);
+    if (!shape.lines) return element(shape.id, fill + stroke_text(shape) + hints, shape.subpaths);
+    const std::string lines = paint_text("fill", {}) + stroke_text(shape) + hints;
+    if (!shape.fill) return element(shape.id, lines, *shape.lines);
+    return element(shape.id, fill + hints, shape.subpaths) +
+           element(shape.id + "/stroke", lines, *shape.lines);
 }
 
 }  // namespace
