@@ -15,7 +15,21 @@ struct Common {
     bool quiet = false, verbose = false, json = false;
 };
 
+/// How text is lettered.
+struct LetteringArguments {
+    std::string text;  ///< newlines also as \n; - is stdin
+    std::string font = "rowmans", height, align = "left", letter_spacing, stroke_width;
+    double line_spacing = 1.6;
+};
+struct TextArguments {
+    LetteringArguments lettering;
+    std::string output = "-";
+    bool list = false;
+};
+int text(const TextArguments& arguments, const Common& common);
+
 struct PlanArguments {
+    LetteringArguments lettering;  ///< of --text, in the place of a drawing
     std::string input, output = "-", robot, config, canvas, place, margin, dpi, start;
     std::vector<std::string> settings;    ///< key=value, also robot.field=value
     std::vector<std::string> links;       ///< A:V=B:W

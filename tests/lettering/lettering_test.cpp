@@ -91,6 +91,10 @@ TEST(Lettering, GlyphsStandSideBySideByTheirWidths) {
     EXPECT_EQ(ids(document), (std::vector<std::string>{"t.1.1.A.1", "t.1.1.A.2", "t.1.3.B.1", "t.1.3.B.2"}));
     EXPECT_EQ(start_of(document, 2), (Point{17, 1}));
 }
+TEST(Lettering, AStrokeIsAMillimetreWideUnlessTheLettersAreSmall) {
+    EXPECT_EQ(drawn("A", {.height = 1}).shapes[0].stroke_width, 1);
+    EXPECT_EQ(drawn("A", {.height = 0.006}).shapes[0].stroke_width, 0.5);
+}
 TEST(Lettering, LettersMayBeSpaced) {
     EXPECT_EQ(start_of(drawn("AA", {.height = 0.021, .stroke_width = 2, .letter_spacing = 0.003}), 2),
               (Point{14, 1}));
@@ -129,7 +133,7 @@ TEST(Lettering, WhatCannotBeLetteredIsRefused) {
         EXPECT_NE(refusal(lettered(bytes, f, {})).find("UTF-8"), std::string::npos);
     EXPECT_NE(refusal(lettered("A", f, {.height = 0})).find("height"), std::string::npos);
     EXPECT_NE(refusal(lettered("A", f, {.height = 1e9})).find("height"), std::string::npos);
-    EXPECT_NE(refusal(lettered("A", f, {.stroke_width = 0})).find("stroke width"), std::string::npos);
+    EXPECT_NE(refusal(lettered("A", f, {.stroke_width = -1})).find("stroke width"), std::string::npos);
     EXPECT_NE(refusal(lettered(std::string(100'001, 'A'), f, {})).find("100000"), std::string::npos);
 }
 

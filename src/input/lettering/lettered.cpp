@@ -100,8 +100,9 @@ Outcome<void> sensible(const Options& o) {
     if (!(o.height > 0 && o.height <= highest))
         return fail("height", "is not above 0 and at most 100 km", "write for example --height 1m");
     if (!(std::abs(o.line_spacing) <= 1000)) return fail("line spacing", "is out of range", "use 1 to 3");
-    if (!(o.stroke_width > 0 && o.stroke_width <= 1e6))
-        return fail("stroke width", "is not above 0", "write a width in millimetres, such as 1");
+    if (!(o.stroke_width >= 0 && o.stroke_width <= 1e6))
+        return fail("stroke width", "is below 0 or above a kilometre",
+                    "write a width in millimetres, such as 1");
     if (!(std::abs(o.letter_spacing) <= highest))
         return fail("letter spacing", "is out of range", "write for example 5cm");
     return {};
@@ -110,6 +111,8 @@ Outcome<void> sensible(const Options& o) {
 struct Writer {
     const Font& font;
     const Options& options;
+    double stroke_width = options.stroke_width > 0 ? options.stroke_width
+                                                   : std::min(1.0, options.height* millimetres / 12);
     double scale = options.height * millimetres / (font.base_line - font.cap_line);  // mm to the font unit
     svg::Document document = {};
     Missing missing = {};
@@ -142,7 +145,7 @@ struct Writer {
             shape.line = static_cast<int>(line);
             shape.subpaths = {path_through(points, false)};
             shape.stroke = svg::Paint{};
-            shape.stroke_width = options.stroke_width;
+            shape.stroke_width = stroke_width;
             shape.cap = svg::LineCap::round;
             shape.join = svg::LineJoin::round;
             document.shapes.push_back(std::move(shape));
@@ -168,7 +171,7 @@ struct Writer {
     void trim() {
         Box ink;
         for (const svg::Shape& shape : document.shapes) ink = united(ink, bounds(shape.subpaths.front()));
-        ink = grown(ink, options.stroke_width / 2);
+        ink = grown(ink, stroke_width / 2);
         for (svg::Shape& shape : document.shapes)
             for (Path& path : shape.subpaths) {
                 path = transformed(path, {1, 0, 0, 1, -ink.low.x, -ink.low.y});

@@ -35,7 +35,9 @@ struct Options {
     double height = 1;          ///< metres from base line to cap line, > 0
     Align align = Align::left;  ///< of the lines, by their widths
     double line_spacing = 1.6;  ///< from base line to base line, in heights
-    double stroke_width = 1;    ///< millimetres: which pins draw it follows from this as in any drawing
+    /// Millimetres: which pins draw it follows from this as in any drawing. 0: 1, or height / 12 when
+    /// thinner.
+    double stroke_width = 0;
     double letter_spacing = 0;  ///< metres added behind each glyph
 };
 
@@ -43,7 +45,7 @@ struct Options {
 /// counted from 1, where GLYPH is the letter or digit itself, else "uHEX". The page is the box of the ink,
 /// grown by half the stroke width, at its true size. Coordinates are rounded to a micrometre. Characters that
 /// the font does not have are left out and named in one warning. Error: no text, not UTF-8, no glyph that
-/// draws, more than 100,000 characters, a height out of range. O(strokes).
+/// draws, more than 100,000 characters, an option out of range. O(strokes).
 Outcome<svg::Document> lettered(std::string_view text, const Font& font, const Options& options);
 
 }  // namespace strandline::lettering
