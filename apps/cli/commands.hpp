@@ -15,6 +15,13 @@ struct Common {
     bool quiet = false, verbose = false, json = false;
 };
 
+struct TraceArguments {
+    std::string input, output, threshold;
+    bool invert = false;
+    std::vector<std::string> settings;  ///< key=value
+};
+int trace(const TraceArguments& arguments, const Common& common);
+
 /// How text is lettered.
 struct LetteringArguments {
     std::string text;  ///< newlines also as \n; - is stdin

@@ -44,9 +44,25 @@ With --list --json: [{"name", "what"}, ...])");
     text->callback([&] { chosen = [&] { return cli::text(a, common); }; });
 }
 
+void add_trace(CLI::App& app, TraceArguments& a, const Common& common, std::function<int()>& chosen) {
+    CLI::App* trace = app.add_subcommand("trace", "picture -> SVG of its areas of ink: what plan would take");
+    trace->add_option("input", a.input, "PNG or JPEG file, or - for stdin")->required();
+    trace->add_option("-o,--output", a.output, "SVG file, or - for stdout")->required();
+    trace->add_option("--threshold", a.threshold, "0 to 1: ink is darker than this; default: found (Otsu)");
+    trace->add_flag("--invert", a.invert, "ink is what is bright");
+    trace->add_option("--set", a.settings, "key=value; keys: trace.* of strandline settings");
+    trace->footer(R"(Examples:
+  strandline trace photo.jpg -o preview.svg
+  strandline trace scan.png --threshold 0.6 --set trace.despeckle=30 -o preview.svg
+The same settings, given to plan, plan the same areas:
+  strandline plan scan.png --set trace.threshold=0.6 --set trace.despeckle=30 -o scan.json)");
+    trace->callback([&] { chosen = [&] { return cli::trace(a, common); }; });
+}
+
 void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::function<int()>& chosen) {
-    CLI::App* plan = app.add_subcommand("plan", "SVG -> plan: what to draw, in which order, how to drive");
-    plan->add_option("input", a.input, "SVG file, or - for stdin");
+    CLI::App* plan =
+        app.add_subcommand("plan", "drawing -> plan: what to draw, in which order, how to drive");
+    plan->add_option("input", a.input, "SVG file or picture (PNG, JPEG), or - for stdin");
     plan->add_option("--text", a.lettering.text,
                      "words in the place of a file; with --height at that size (--place actual)");
     add_lettering(plan, a.lettering);
@@ -80,6 +96,7 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
   strandline plan card.svg --robot plotter --canvas A5 --margin 10mm -o card.json
   strandline plan eye.svg --link iris:0=lid:-1 --direction lid=backward -o eye.json
   strandline plan --text "Hello\nbeach" --font scripts --height 1m -o hello.json
+  strandline plan photo.jpg --set trace.despeckle=50 -o photo.json
   cat drawing.svg | strandline plan - | strandline check -)");
     plan->callback([&] { chosen = [&] { return cli::plan(a, common); }; });
 }
@@ -200,6 +217,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     std::function<int()> chosen;
     PlanArguments plan;
     TextArguments text;
+    TraceArguments trace;
     ExportArguments exported;
     CheckArguments check;
     RenderArguments render;
@@ -210,6 +228,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     std::string robot;
     add_plan(app, plan, common, chosen);
     add_text(app, text, common, chosen);
+    add_trace(app, trace, common, chosen);
     add_results(app, exported, check, render, common, chosen);
     CLI::App* settings = app.add_subcommand("settings", "lists everything that can be set");
     settings->footer(

@@ -7,6 +7,7 @@
 
 #include "base/outcome/outcome.hpp"
 #include "input/svg/svg.hpp"
+#include "input/trace/trace.hpp"
 #include "plan/model/model.hpp"
 
 namespace strandline {
@@ -16,9 +17,14 @@ struct Source {
     std::string_view bytes;  ///< all of it
     std::string title;       ///< its name, for people
 };
-/// The drawing in a file. Errors as those of svg::read.
+/// The drawing in a file: SVG, or a picture (PNG, JPEG) that is traced; its first bytes tell which. Under
+/// ink.invert the bright parts of a picture are traced. Errors as those of svg::read and trace.
 Outcome<svg::Document> read_source(const Source& source, const Options& options,
                                    const Progress& progress = {});
+
+/// The picture alone, with what was found out on the way. Error: the file is no picture.
+Outcome<trace::Traced> trace_source(const Source& source, const Options& options,
+                                    const Progress& progress = {});
 
 /// Whether these options ask of the robot what it can do. Error: the key and what to change.
 Outcome<void> valid(const Options& options, const Robot& robot);
