@@ -68,6 +68,20 @@ TEST(Text, WhatIsWrongIsSaidAndNothingIsWritten) {
     refused("plan -o out", 2, "--text");
     refused("plan --text A in.svg -o out", 2, "in.svg");
 }
+TEST(Text, OfAnSvgIsOutlinedOrLeftOutByName) {
+    const Folder folder;
+    write(folder / "in.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><text x='10' y='80' font-size='90' "
+          "font-weight='bold' font-family='No Such Font'>I</text><path d='M0 0V100' stroke='black'/></svg>");
+    const Result set = run(folder, "plan in.svg -o plan.json --json");
+    ASSERT_EQ(set.exit, 0) << set.err;
+    EXPECT_NE(set.err.find("No Such Font is not on this machine"), std::string::npos) << set.err;
+    EXPECT_NE(set.out.find("\"elements\": 2"), std::string::npos) << set.out;
+    const Result left_out = run(folder, "plan in.svg -o plan.json --json --set text.substitutes=off");
+    EXPECT_NE(left_out.err.find("text is left out: the font No Such Font"), std::string::npos)
+        << left_out.err;
+    EXPECT_NE(left_out.out.find("\"elements\": 1"), std::string::npos) << left_out.out;
+}
 TEST(Text, AbsentFontsAreAMissingPackage) {
     const Folder folder;
     const std::string program = "'" STRANDLINE_PROGRAM "'";

@@ -53,6 +53,11 @@ struct Options {
         double alphamax = 1, opttolerance = 0.2;
         bool operator==(const Trace&) const = default;
     } trace;
+    struct Text {  // "text.*": in SVGs
+        bool substitutes =
+            true;  // a font that is absent is replaced, with a warning; else its text is left out
+        bool operator==(const Text&) const = default;
+    } text;
     struct FillArea {                  // "fill.*"
         std::string style = "spiral";  // spiral | zigzag
         double spacing = 0, direction = 0;
