@@ -15,7 +15,28 @@ struct Common {
     bool quiet = false, verbose = false, json = false;
 };
 
+struct TraceArguments {
+    std::string input, output, threshold;
+    bool invert = false;
+    std::vector<std::string> settings;  ///< key=value
+};
+int trace(const TraceArguments& arguments, const Common& common);
+
+/// How text is lettered.
+struct LetteringArguments {
+    std::string text;  ///< newlines also as \n; - is stdin
+    std::string font = "rowmans", height, align = "left", letter_spacing, stroke_width;
+    double line_spacing = 1.6;
+};
+struct TextArguments {
+    LetteringArguments lettering;
+    std::string output = "-";
+    bool list = false;
+};
+int text(const TextArguments& arguments, const Common& common);
+
 struct PlanArguments {
+    LetteringArguments lettering;  ///< of --text, in the place of a drawing
     std::string input, output = "-", robot, config, canvas, place, margin, dpi, start;
     std::vector<std::string> settings;    ///< key=value, also robot.field=value
     std::vector<std::string> links;       ///< A:V=B:W

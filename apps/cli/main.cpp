@@ -14,9 +14,58 @@ namespace {
 using namespace strandline;
 using namespace strandline::cli;
 
+/// How text is lettered; the text itself is the caller's.
+void add_lettering(CLI::App* command, LetteringArguments& a) {
+    command->add_option("--font", a.font, "a Hershey font (strandline text --list), or a .jhf file")
+        ->capture_default_str();
+    command->add_option("--height", a.height, "from base line to cap line; default 1m");
+    command->add_option("--align", a.align, "left, centre or right: of several lines")
+        ->check(CLI::IsMember({"left", "centre", "right"}))
+        ->capture_default_str();
+    command->add_option("--line-spacing", a.line_spacing, "from base line to base line, in heights")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->capture_default_str();
+    command->add_option("--letter-spacing", a.letter_spacing, "added behind each letter (5cm)");
+    command->add_option("--stroke-width", a.stroke_width,
+                        "of the SVG's lines; the robot's rake rules count its millimetres; default 1mm");
+}
+
+void add_text(CLI::App& app, TextArguments& a, const Common& common, std::function<int()>& chosen) {
+    CLI::App* text = app.add_subcommand("text", "words -> SVG of single lines, in the Hershey fonts");
+    text->add_option("text", a.lettering.text, "what to write; \\n begins a new line; - is stdin");
+    text->add_option("-o,--output", a.output, "SVG file, or - for stdout")->capture_default_str();
+    add_lettering(text, a.lettering);
+    text->add_flag("--list", a.list, "lists the fonts");
+    text->footer(R"(Examples:
+  strandline text "Hello\nbeach" --font scripts --height 1m -o hello.svg
+  strandline text "LOW TIDE" --font gothiceng --height 60cm --align centre | strandline plan - -o tide.json
+  strandline text --list
+With --list --json: [{"name", "what"}, ...])");
+    text->callback([&] { chosen = [&] { return cli::text(a, common); }; });
+}
+
+void add_trace(CLI::App& app, TraceArguments& a, const Common& common, std::function<int()>& chosen) {
+    CLI::App* trace = app.add_subcommand("trace", "picture -> SVG of its areas of ink: what plan would take");
+    trace->add_option("input", a.input, "PNG or JPEG file, or - for stdin")->required();
+    trace->add_option("-o,--output", a.output, "SVG file, or - for stdout")->required();
+    trace->add_option("--threshold", a.threshold, "0 to 1: ink is darker than this; default: found (Otsu)");
+    trace->add_flag("--invert", a.invert, "ink is what is bright");
+    trace->add_option("--set", a.settings, "key=value; keys: trace.* of strandline settings");
+    trace->footer(R"(Examples:
+  strandline trace photo.jpg -o preview.svg
+  strandline trace scan.png --threshold 0.6 --set trace.despeckle=30 -o preview.svg
+The same settings, given to plan, plan the same areas:
+  strandline plan scan.png --set trace.threshold=0.6 --set trace.despeckle=30 -o scan.json)");
+    trace->callback([&] { chosen = [&] { return cli::trace(a, common); }; });
+}
+
 void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::function<int()>& chosen) {
-    CLI::App* plan = app.add_subcommand("plan", "SVG -> plan: what to draw, in which order, how to drive");
-    plan->add_option("input", a.input, "SVG file, or - for stdin")->required();
+    CLI::App* plan =
+        app.add_subcommand("plan", "drawing -> plan: what to draw, in which order, how to drive");
+    plan->add_option("input", a.input, "SVG file or picture (PNG, JPEG), or - for stdin");
+    plan->add_option("--text", a.lettering.text,
+                     "words in the place of a file; with --height at that size (--place actual)");
+    add_lettering(plan, a.lettering);
     plan->add_option("-o,--output", a.output, "plan file (JSON), or - for stdout")->capture_default_str();
     plan->add_option("--robot", a.robot,
                      "beachbot, plotter, turf, or a profile file (.toml); default beachbot");
@@ -46,6 +95,8 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
   strandline plan logo.svg -o logo.json --canvas 20x20 --set fill.style=zigzag --set fill.spacing=40cm
   strandline plan card.svg --robot plotter --canvas A5 --margin 10mm -o card.json
   strandline plan eye.svg --link iris:0=lid:-1 --direction lid=backward -o eye.json
+  strandline plan --text "Hello\nbeach" --font scripts --height 1m -o hello.json
+  strandline plan photo.jpg --set trace.despeckle=50 -o photo.json
   cat drawing.svg | strandline plan - | strandline check -)");
     plan->callback([&] { chosen = [&] { return cli::plan(a, common); }; });
 }
@@ -165,6 +216,8 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
 
     std::function<int()> chosen;
     PlanArguments plan;
+    TextArguments text;
+    TraceArguments trace;
     ExportArguments exported;
     CheckArguments check;
     RenderArguments render;
@@ -174,6 +227,8 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     ConvertArguments convert;
     std::string robot;
     add_plan(app, plan, common, chosen);
+    add_text(app, text, common, chosen);
+    add_trace(app, trace, common, chosen);
     add_results(app, exported, check, render, common, chosen);
     CLI::App* settings = app.add_subcommand("settings", "lists everything that can be set");
     settings->footer(

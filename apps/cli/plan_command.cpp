@@ -11,6 +11,7 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "fonts.hpp"
 #include "plan/pipeline/pipeline.hpp"
 #include "result/check/check.hpp"
 #include "result/formats/formats.hpp"
@@ -18,6 +19,8 @@
 
 namespace strandline::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Settings file first, the command line over it, both over `defaults`.
 Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
@@ -27,6 +30,9 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
     if (!a.config.empty()) done = read_settings_file(wishes, a.config);
     if (!a.robot.empty()) wishes.robot = a.robot;
     if (done && !a.canvas.empty()) done = set_canvas(wishes.options, a.canvas);
+    // Who says how high letters are wants them so.
+    if (done && !a.lettering.text.empty() && !a.lettering.height.empty())
+        done = set(wishes.options, "place.mode", "actual");
     if (done && !a.margin.empty()) done = set(wishes.options, "canvas.margin", a.margin);
     if (done && !a.place.empty()) done = set_place(wishes.options, a.place);
     if (done && !a.layers.empty())
@@ -96,8 +102,25 @@ bool open_picture(const std::string& path) {
 
 /// Where --open puts its picture: beside the plan.
 std::string picture_path(const PlanArguments& arguments) {
-    const std::filesystem::path base = arguments.output == "-" ? "strandline-plan.json" : arguments.output;
-    return std::filesystem::path(base).replace_extension(".svg").string();
+    const fs::path base = arguments.output == "-" ? "strandline-plan.json" : arguments.output;
+    return fs::path(base).replace_extension(".svg").string();
+}
+
+/// Either a file or --text.
+Outcome<void> one_input(const PlanArguments& arguments) {
+    const bool text = !arguments.lettering.text.empty();
+    if (!text && arguments.input.empty())
+        return fail("plan", "the drawing is missing", "name a file, or give words with --text");
+    if (text && !arguments.input.empty())
+        return fail("--text", "cannot be planned together with " + arguments.input, "give one of them");
+    return {};
+}
+
+/// With `arguments.input` in the place of errors.
+Outcome<svg::Document> read_drawing(const PlanArguments& arguments, const Options& options) {
+    const auto bytes = read_input(arguments.input);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return read_source({*bytes, arguments.input}, options);
 }
 
 /// No output may take the place of the drawing, or of another output.
@@ -124,25 +147,31 @@ Outcome<void> show(const Plan& plan, const PlanArguments& arguments) {
 }  // namespace
 
 int plan(const PlanArguments& arguments, const Common& common) {
+    if (const auto one = one_input(arguments); !one) return complain(one.error(), bad_call);
     const auto wishes = gathered(arguments);
     if (!wishes) return complain(wishes.error(), bad_call);
     const auto robot = robot_of(*wishes);
     if (!robot) return complain(robot.error(), bad_call);
     if (const auto fits = valid(wishes->options, *robot); !fits) return complain(fits.error(), bad_call);
     if (const auto apart = outputs_apart(arguments); !apart) return complain(apart.error(), bad_call);
-    const auto svg = read_input(arguments.input);
-    if (!svg) return complain(svg.error(), bad_input);
-
+    const bool lettering = !arguments.lettering.text.empty();
     const Progress progress = limited(console_progress(common.quiet), wishes->options.tour.time_limit);
-    const std::string title =
-        arguments.input == "-" ? "stdin" : std::filesystem::path(arguments.input).filename().string();
-    auto made = make_plan({*svg, title}, *robot, wishes->options, wishes->edits, progress);
-    if (!made) {
-        Error error = made.error();
-        error.place = error.place.empty() || error.place == title ? arguments.input
-                                                                  : arguments.input + ", " + error.place;
-        return complain(error, bad_input);
-    }
+    const auto document =
+        lettering ? lettered(arguments.lettering) : read_drawing(arguments, wishes->options);
+    const std::string title = lettering                ? "text"
+                              : arguments.input == "-" ? "stdin"
+                                                       : fs::path(arguments.input).filename().string();
+    // Files are named in front of the place in them.
+    const auto refuse = [&](Error error) {
+        if (error.place.empty() || error.place == title)
+            error.place = lettering ? "text" : arguments.input;
+        else if (!lettering && error.place != arguments.input)
+            error.place = arguments.input + ", " + error.place;
+        return complain(error, fault_of(error));
+    };
+    if (!document) return refuse(document.error());
+    auto made = make_plan(*document, title, *robot, wishes->options, wishes->edits, progress);
+    if (!made) return refuse(made.error());
     made->program = "strandline " STRANDLINE_VERSION;
     // A long plan takes as long to prove as to write: both only read it, so they go side by side. Where
     // nobody asks for the report, it is never made.

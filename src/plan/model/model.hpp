@@ -47,6 +47,17 @@ struct Options {
         bool invert = false;
         bool operator==(const Ink&) const = default;
     } ink;
+    struct Trace {             // "trace.*": of pictures; in pixels
+        double threshold = 0;  // 0: by Otsu's method
+        int despeckle = 2;
+        double alphamax = 1, opttolerance = 0.2;
+        bool operator==(const Trace&) const = default;
+    } trace;
+    struct Text {  // "text.*": in SVGs
+        bool substitutes =
+            true;  // a font that is absent is replaced, with a warning; else its text is left out
+        bool operator==(const Text&) const = default;
+    } text;
     struct FillArea {                  // "fill.*"
         std::string style = "spiral";  // spiral | zigzag
         double spacing = 0, direction = 0;

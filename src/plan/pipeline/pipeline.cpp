@@ -62,6 +62,12 @@ order::Options order_options(const Options& options, const Robot& robot) {
     return o;
 }
 
+/// Only the search may be cut short: a drawing read by half would be planned as if it were whole.
+Progress patient(Progress progress) {
+    progress.stopped = [] { return false; };
+    return progress;
+}
+
 void add(Warnings& to, const Warnings& from) { to.insert(to.end(), from.begin(), from.end()); }
 
 // A sample and the states behind it take about half a kilobyte while planning: this many fit a laptop.
@@ -181,26 +187,28 @@ Outcome<void> valid(const Options& options, const Robot& robot) {
 
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits, const Progress& progress) {
-    if (const auto fits = valid(options, robot); !fits) return tl::unexpected(fits.error());
-    // Only the search may be cut short: a drawing read by half would be planned as if it were whole.
-    Progress patient = progress;
-    patient.stopped = [] { return false; };
-    const auto document = svg::read(source.svg, {.dpi = options.drawing.dpi}, patient);
+    const auto document = read_source(source, options, patient(progress));
     if (!document) return tl::unexpected(document.error());
+    return make_plan(*document, source.title, robot, options, edits, progress);
+}
+
+Outcome<Plan> make_plan(const svg::Document& document, const std::string& title, const Robot& robot,
+                        const Options& options, const std::vector<Edit>& edits, const Progress& progress) {
+    if (const auto fits = valid(options, robot); !fits) return tl::unexpected(fits.error());
     const auto asked = drawing_options(options);
     if (!asked) return tl::unexpected(asked.error());
-    auto drawing = make_drawing(*document, robot, *asked, patient);
+    auto drawing = make_drawing(document, robot, *asked, patient(progress));
     if (!drawing) {
         Error error = drawing.error();
         // What was left out is often why nothing is there.
-        if (!document->warnings.empty()) error.reason += " (" + sentence(document->warnings.front()) + ")";
+        if (!document.warnings.empty()) error.reason += " (" + sentence(document.warnings.front()) + ")";
         return tl::unexpected(error);
     }
 
     const Warnings wrong_hints = pipeline::drop_wrong_hints(*drawing);
-    pipeline::Strokes strokes = pipeline::strokes_of(*drawing, robot, options, patient);
+    pipeline::Strokes strokes = pipeline::strokes_of(*drawing, robot, options, patient(progress));
     if (strokes.groups.empty())
-        return fail(source.title, "nothing of the drawing can be raked at this size",
+        return fail(title, "nothing of the drawing can be raked at this size",
                     "make the canvas larger, or choose a narrower rake");
     if (const auto bearable = not_too_long(strokes.groups, options); !bearable)
         return tl::unexpected(bearable.error());
@@ -213,7 +221,7 @@ Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options&
     pipeline::keep_within_batches(job);
 
     Plan plan;
-    plan.title = source.title;
+    plan.title = title;
     plan.robot = robot;
     plan.options = options;
     plan.edits = edits;
@@ -231,7 +239,7 @@ Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options&
     plan.figures.fill_swept = strokes.fill_swept;
     plan.figures.fallbacks = strokes.fallbacks;
     take_account(plan, *ordered);
-    add(plan.warnings, document->warnings);
+    add(plan.warnings, document.warnings);
     add(plan.warnings, plan.drawing.warnings);
     add(plan.warnings, dropped(plan.drawing, options));
     add(plan.warnings, strokes.warnings);

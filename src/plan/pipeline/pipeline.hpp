@@ -6,15 +6,25 @@
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
+#include "input/svg/svg.hpp"
+#include "input/trace/trace.hpp"
 #include "plan/model/model.hpp"
 
 namespace strandline {
 
-/// What a plan is made from.
+/// A file to plan from.
 struct Source {
-    std::string_view svg;  ///< the file's text
-    std::string title;     ///< its name, for people
+    std::string_view bytes;  ///< all of it
+    std::string title;       ///< its name, for people
 };
+/// The drawing in a file: SVG, or a picture (PNG, JPEG) that is traced; its first bytes tell which. Under
+/// ink.invert the bright parts of a picture are traced. Errors as those of svg::read and trace.
+Outcome<svg::Document> read_source(const Source& source, const Options& options,
+                                   const Progress& progress = {});
+
+/// The picture alone, with what was found out on the way. Error: the file is no picture.
+Outcome<trace::Traced> trace_source(const Source& source, const Options& options,
+                                    const Progress& progress = {});
 
 /// Whether these options ask of the robot what it can do. Error: the key and what to change.
 Outcome<void> valid(const Options& options, const Robot& robot);
@@ -23,6 +33,10 @@ Outcome<void> valid(const Options& options, const Robot& robot);
 /// for bit, unless options.tour.time_limit or the user stopped the search (figures.reproducible says so).
 /// Error: options that are not valid(); input at fault (place, reason, remedy); contradictory edits by name.
 /// Edits whose place is gone are kept and listed as idle.
+Outcome<Plan> make_plan(const svg::Document& document, const std::string& title, const Robot& robot,
+                        const Options& options, const std::vector<Edit>& edits = {},
+                        const Progress& progress = {});
+/// From the file itself.
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits = {}, const Progress& progress = {});
 
