@@ -63,6 +63,29 @@ TEST(Choices, RulesApplyInOrderAndTheFilesOwnHintsWin) {
     EXPECT_EQ(drawing.counts.unchosen, 2);
 }
 
+TEST(Choices, ARuleThatMeansNothingIsAWarning) {
+    DrawingOptions options = metre_a_unit();
+    options.rules = {{InkRule::Of::layer, "Sku", {{"tool", "2"}}}};
+    const Drawing drawing = drawn_with(layered(), options);
+    ASSERT_EQ(drawing.warnings.size(), 1u);
+    EXPECT_EQ(drawing.warnings[0].place, "rule for \"Sku\"");
+}
+
+TEST(Choices, ALayerThatIsNeverDrawnCannotBeChosen) {
+    DrawingOptions options = metre_a_unit();
+    options.layers = {"%guides"};
+    const auto refused = make_drawing(layered(), beachbot(), options);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(sentence(refused.error()).find("never drawn"), std::string::npos);
+}
+
+TEST(Choices, PinsAskedForMakeALineOfAWideStroke) {
+    svg::Shape wide = stroked(line({{0, 0}, {10, 0}}), 3);
+    EXPECT_TRUE(is_region(drawn({wide}).elements[0]));
+    wide.hints = {{"pins", "2"}};
+    EXPECT_EQ(line_of(drawn({wide}), 0).pins, 2);
+}
+
 TEST(Choices, InkOnDrawsWhatTheThresholdCallsBare) {
     svg::Shape pale = shape({square({0, 0}, 10)}, white, {});
     pale.hints = {{"ink", "on"}};

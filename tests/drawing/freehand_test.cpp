@@ -47,6 +47,27 @@ TEST(Freehand, SmoothingTakesTheJitterAndStaysWithinTheTolerance) {
     EXPECT_LT(smooth.path.segments.size(), 30u);
 }
 
+TEST(Freehand, ASmoothLineNeverRunsAwayBetweenItsPoints) {
+    std::mt19937_64 random(8);
+    const auto shake = [&](double by) {
+        return by * (2 * static_cast<double>(random() >> 11) * 0x1p-53 - 1);
+    };
+    for (const double jitter : {0.01, 0.024, 0.05}) {
+        std::vector<Point> spiral;
+        for (int k = 0; k < 300; ++k)
+            spiral.push_back(Point{50, 50} + (1 + 0.02 * k) * unit(0.06 * k) +
+                             Point{shake(jitter), shake(jitter)});
+        const LineElement plain = line_with(spiral, false, &DrawingOptions::smooth, 0);
+        for (const double tolerance : {0.01, 0.02, 0.03, 0.05}) {
+            const LineElement smooth = line_with(spiral, false, &DrawingOptions::smooth, tolerance);
+            EXPECT_LT(worst_distance(smooth.path, plain), 1.01 * tolerance);
+            EXPECT_LT(worst_distance(plain.path, smooth), 1.3 * tolerance)
+                << "between the samples that are looked at";
+            EXPECT_LT(length(smooth.path), 1.02 * length(plain.path));
+        }
+    }
+}
+
 TEST(Freehand, SimplifyingKeepsFewPointsAndEnds) {
     const LineElement plain = line_with(shaken_wave(), false, &DrawingOptions::simplify, 0);
     const LineElement few = line_with(shaken_wave(), false, &DrawingOptions::simplify, 0.05);

@@ -26,6 +26,7 @@ TEST(Rules, WhatCannotBeReadIsRefusedWithTheRule) {
     EXPECT_NE(refusal("layer=a: tool=2; nonsense").find("\"nonsense\": does not say what it is for"),
               std::string::npos);
     EXPECT_NE(refusal("page=a: tool=2").find("neither a layer"), std::string::npos);
+    EXPECT_NE(refusal("colour=rouge: tool=2").find("#rrggbb"), std::string::npos);
     EXPECT_NE(refusal("layer=: tool=2").find("names nothing"), std::string::npos);
     EXPECT_NE(refusal("layer=a:").find("asks for nothing"), std::string::npos);
     EXPECT_NE(refusal("layer=a: tool=0").find("tool: \"0\" is not a whole number"), std::string::npos);

@@ -90,7 +90,7 @@ TEST(Pipeline, ToolsAndOrderDecideBatchesAndStopsAreListed) {
     EXPECT_EQ(drawn_order(*plan), (std::vector<std::string>{"inner", "outer", "left", "right"}));
     ASSERT_EQ(plan->stops.size(), 2u);
     EXPECT_EQ(plan->stops[0].why, "tool 2");
-    EXPECT_EQ(plan->stops[1].why, "layer by hand, tool 1");
+    EXPECT_EQ(plan->stops[1].why, "pause by hand, tool 1");
     for (const Stop& stop : plan->stops) {
         const auto first = std::ranges::find(plan->samples, stop.stroke, &Sample::stroke);
         EXPECT_LT(stop.time, first->t);

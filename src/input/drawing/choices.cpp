@@ -15,6 +15,8 @@ std::string hex(svg::Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, 
 
 }  // namespace
 
+bool is_left_out(std::string_view layer) { return layer.starts_with(left_out); }
+
 bool matches(std::string_view pattern, std::string_view text) {
     // Greedy, with one place to come back to: the last star.
     std::size_t p = 0, t = 0, star = std::string_view::npos, from = 0;
@@ -52,26 +54,34 @@ std::vector<std::string> Choices::layers_of(const svg::Shape& shape) const {
 
 bool Choices::chosen(const svg::Shape& shape) const {
     const std::vector<std::string> names = layers_of(shape);
-    if (std::ranges::any_of(names, [](const std::string& name) { return name.starts_with(left_out); }))
-        return false;
+    if (std::ranges::any_of(names, is_left_out)) return false;
     if (options_.layers.empty()) return true;
     return std::ranges::any_of(options_.layers, [&](const std::string& wanted) {
         return std::ranges::any_of(names, [&](const std::string& name) { return matches(wanted, name); });
     });
 }
 
+bool Choices::applies(const InkRule& rule, const svg::Shape& shape) const {
+    const auto has = [&](std::string_view text) { return matches(rule.pattern, text); };
+    const auto painted = [&](const std::optional<svg::Paint>& paint) {
+        return paint && paint->opacity > 0 && has(hex(paint->colour));
+    };
+    switch (rule.of) {
+        case InkRule::Of::layer:
+            return std::ranges::any_of(layers_of(shape), has);
+        case InkRule::Of::colour:
+            return painted(shape.fill) || painted(shape.stroke);
+        case InkRule::Of::id:
+            return has(shape.id);
+    }
+    return false;
+}
+
 std::vector<svg::Hint> Choices::hints_of(const svg::Shape& shape) const {
     std::map<std::string, std::string> asked;
     const std::vector<std::string> names = layers_of(shape);
     for (const InkRule& rule : options_.rules) {
-        const auto has = [&](std::string_view text) { return matches(rule.pattern, text); };
-        const auto painted = [&](const std::optional<svg::Paint>& paint) {
-            return paint && paint->opacity > 0 && has(hex(paint->colour));
-        };
-        const bool applies = rule.of == InkRule::Of::layer    ? std::ranges::any_of(names, has)
-                             : rule.of == InkRule::Of::colour ? painted(shape.fill) || painted(shape.stroke)
-                                                              : has(shape.id);
-        if (applies)
+        if (applies(rule, shape))
             for (const svg::Hint& hint : rule.hints) asked[hint.name] = hint.value;
     }
     std::map<std::string, std::string> own;

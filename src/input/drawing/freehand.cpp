@@ -71,8 +71,9 @@ struct Bezier {
     Point bend(double t) const { return 6 * (1 - t) * (p2 - 2 * p1 + p0) + 6 * t * (p3 - 2 * p2 + p1); }
 };
 
-/// The cubic with these end tangents nearest to the points in the sense of least squares.
-Bezier nearest(std::span<const Point> points, const std::vector<double>& t, Point out, Point in) {
+/// The cubic with these end tangents nearest to the points in the sense of least squares. run: length of the
+/// chords through the points.
+Bezier nearest(std::span<const Point> points, const std::vector<double>& t, double run, Point out, Point in) {
     double c00 = 0, c01 = 0, c11 = 0, x0 = 0, x1 = 0;
     const Point first = points.front(), last = points.back();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -85,12 +86,40 @@ Bezier nearest(std::span<const Point> points, const std::vector<double>& t, Poin
         x0 += dot(a0, rest);
         x1 += dot(a1, rest);
     }
-    const double determinant = c00 * c11 - c01 * c01, chord = distance(first, last);
+    const double determinant = c00 * c11 - c01 * c01;
     double reach0 = determinant != 0 ? (x0 * c11 - x1 * c01) / determinant : 0;
     double reach1 = determinant != 0 ? (c00 * x1 - c01 * x0) / determinant : 0;
-    // Handles that point backward, or none: a third of the chord (Wu and Barsky's rule).
-    if (!(reach0 > 1e-6 * chord) || !(reach1 > 1e-6 * chord)) reach0 = reach1 = chord / 3;
+    // Handles that point backward, or none, or longer than the line itself (few points, which a curve that
+    // runs away between them meets as well): a third of the chord (Wu and Barsky's rule).
+    const double chord = distance(first, last);
+    const auto fair = [&](double reach) { return reach > 1e-6 * chord && reach <= run; };
+    if (!fair(reach0) || !fair(reach1)) reach0 = reach1 = chord / 3;
     return {first, first + reach0 * out, last + reach1 * in, last};
+}
+
+/// How far the points are from the curve, and the curve from the chords between them; the number of the worst
+/// inner point.
+struct Misfit {
+    double points = 0, between = 0;
+    std::size_t at = 0;
+};
+Misfit misfit(const Bezier& curve, std::span<const Point> points, const std::vector<double>& t) {
+    Misfit misfit{0, 0, points.size() / 2};
+    double worst = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double off = i + 1 < points.size() ? distance(curve.at(t[i]), points[i]) : 0;
+        double between = 0;
+        for (const double share : {0.25, 0.5, 0.75})
+            between = std::max(between, distance_to_segment(curve.at(t[i - 1] + share * (t[i] - t[i - 1])),
+                                                            points[i - 1], points[i]));
+        misfit.points = std::max(misfit.points, off);
+        misfit.between = std::max(misfit.between, between);
+        if (std::max(off, between) > worst) {
+            worst = std::max(off, between);
+            misfit.at = std::min(i, points.size() - 2);
+        }
+    }
+    return misfit;
 }
 
 Point direction(Point from, Point to) {
@@ -114,25 +143,23 @@ void fit(std::span<const Point> points, Point out, Point in, double tolerance, P
     std::vector<double> t{0};
     for (std::size_t i = 1; i < points.size(); ++i)
         t.push_back(t.back() + distance(points[i - 1], points[i]));
-    for (double& place : t) place /= t.back();
+    const double run = t.back();
+    for (double& place : t) place /= run;
     std::size_t worst_at = points.size() / 2;
     for (int round = 0; round <= most_rounds; ++round) {
-        const Bezier curve = nearest(points, t, out, in);
-        double worst = 0;
-        for (std::size_t i = 1; i + 1 < points.size(); ++i)
-            if (const double off = distance(curve.at(t[i]), points[i]); off > worst) {
-                worst = off;
-                worst_at = i;
-            }
-        if (worst <= tolerance) {
+        const Bezier curve = nearest(points, t, run, out, in);
+        const Misfit off = misfit(curve, points, t);
+        worst_at = off.at;
+        if (off.points <= tolerance && off.between <= tolerance) {
             path.segments.push_back(CubicSegment{curve.p1, curve.p2, curve.p3});
             return;
         }
-        if (worst > worth_a_round * tolerance) break;
+        if (off.points > worth_a_round * tolerance) break;
         for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-            const Point off = curve.at(t[i]) - points[i], slope = curve.slope(t[i]);
-            const double curvature = dot(slope, slope) + dot(off, curve.bend(t[i]));
-            if (curvature > 0) t[i] = std::clamp(t[i] - dot(off, slope) / curvature, 0.0, 1.0);
+            const Point away = curve.at(t[i]) - points[i], slope = curve.slope(t[i]);
+            const double curvature = dot(slope, slope) + dot(away, curve.bend(t[i]));
+            // in order, so that no two points share a place
+            if (curvature > 0) t[i] = std::clamp(t[i] - dot(away, slope) / curvature, t[i - 1], t[i + 1]);
         }
     }
     // The tangent at the cut: across the neighbourhood, not from point to point.

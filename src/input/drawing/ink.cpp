@@ -70,6 +70,7 @@ Effect effect_of(std::optional<svg::Paint> paint, const DrawingOptions& options)
 bool stroke_is_area(const Inked& inked, const Robot& robot, double scale) {
     if (!inked.stroke) return false;
     const double width = inked.shape->stroke_width * scale;
+    if (!inked.fill && inked.pinned) return false;
     // Beside a fill, a stroke narrower than one groove adds nothing that the rake could show.
     if (inked.fill && width >= robot.pin_pitch) return true;
     return robot.fill_wide_strokes && width > robot.rake_width();
@@ -95,12 +96,17 @@ int pins_of(const svg::Shape& shape, const std::vector<svg::Hint>& hints, const 
 
 Outcome<void> layers_are_there(const svg::Document& document, const DrawingOptions& options) {
     for (const std::string& wanted : options.layers) {
+        if (std::ranges::any_of(document.layers, [&](const svg::Layer& layer) {
+                return !is_left_out(layer.name) && matches(wanted, layer.name);
+            }))
+            continue;
         if (std::ranges::any_of(document.layers,
                                 [&](const svg::Layer& layer) { return matches(wanted, layer.name); }))
-            continue;
+            return fail("layer \"" + wanted + "\"", "is never drawn: its name begins with %", "rename it");
         std::string names;
         for (const svg::Layer& layer : document.layers)
-            names += (names.empty() ? "" : ", ") + fmt::format("\"{}\"", layer.name);
+            if (!is_left_out(layer.name))
+                names += (names.empty() ? "" : ", ") + fmt::format("\"{}\"", layer.name);
         return fail("layer \"" + wanted + "\"", "is not in the drawing",
                     names.empty() ? "the drawing has no layers" : "choose among " + names);
     }
@@ -128,6 +134,7 @@ Outcome<Ink> ink_of(const svg::Document& document, const Robot& robot, const Dra
         }
         Inked inked{&shape};
         inked.hints = choices.hints_of(shape);
+        inked.pinned = value_of(inked.hints, "pins").has_value();
         const std::optional<std::string> asked = value_of(inked.hints, "ink");
         if (asked == "off") {
             ++ink.unchosen;
@@ -161,6 +168,11 @@ Outcome<Ink> ink_of(const svg::Document& document, const Robot& robot, const Dra
         std::erase_if(inked.hints, [](const svg::Hint& h) { return h.name == "ink" || h.name == "pins"; });
         if (inked.drawn() || inked.fill_hides || inked.stroke_hides) ink.shapes.push_back(inked);
     }
+    for (const InkRule& rule : options.rules)
+        if (std::ranges::none_of(document.shapes,
+                                 [&](const svg::Shape& shape) { return choices.applies(rule, shape); }))
+            ink.warnings.push_back(
+                {fmt::format("rule for \"{}\"", rule.pattern), "nothing in the drawing is meant by it"});
     return ink;
 }
 

@@ -16,6 +16,7 @@ struct Inked {
     bool fill = false, stroke = false;              ///< ink
     bool fill_hides = false, stroke_hides = false;  ///< bare paint
     int pins = 0;                                   ///< of the stroke
+    bool pinned = false;                            ///< a hint says with how many: it is a line, however wide
     std::vector<svg::Hint> hints = {};
     bool drawn() const { return fill || stroke; }
 };
@@ -40,6 +41,7 @@ class Choices {
     Choices(const svg::Document& document, const DrawingOptions& options);
     /// False: its layer is not drawn (a name with %, or another was asked for).
     bool chosen(const svg::Shape& shape) const;
+    bool applies(const InkRule& rule, const svg::Shape& shape) const;
     /// Sorted by name, each name once.
     std::vector<svg::Hint> hints_of(const svg::Shape& shape) const;
 
@@ -49,6 +51,8 @@ class Choices {
     const svg::Document& document_;
     const DrawingOptions& options_;
 };
+/// A layer that is never drawn: its name begins with %.
+bool is_left_out(std::string_view layer);
 /// `*` stands for any letters.
 bool matches(std::string_view pattern, std::string_view text);
 /// Absent: no such hint.

@@ -155,7 +155,7 @@ struct PlannedConnection {
 
 /// Where the drive waits for a hand: another tool, or a layer whose name begins with "!".
 struct Stop {
-    std::string why;  ///< "tool 2", "layer !gold"
+    std::string why;  ///< "tool 2", "pause !gold"
     int stroke = 0;   ///< index into Plan::strokes: the first one after the stop
     double time = 0;  ///< s, when the robot sets out for it
     bool operator==(const Stop&) const = default;

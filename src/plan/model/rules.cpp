@@ -56,9 +56,13 @@ Outcome<InkRule> rule_of(const std::string& text) {
         return refuse("is for neither a layer nor a colour nor an id");
     rule.pattern = trimmed(text.substr(equals + 1, colon - equals - 1));
     if (rule.pattern.empty()) return refuse("names nothing");
-    if (rule.of == InkRule::Of::colour)
+    if (rule.of == InkRule::Of::colour) {
         std::ranges::transform(rule.pattern, rule.pattern.begin(),
                                [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c + 32) : c; });
+        if (rule.pattern.find_first_not_of("#0123456789abcdef*") != std::string::npos ||
+            (rule.pattern.size() != 7 && rule.pattern.find('*') == std::string::npos))
+            return refuse("names a colour otherwise than as #rrggbb");
+    }
     for (const std::string& part : split(text.substr(colon + 1), ',')) {
         const std::size_t at = part.find('=');
         if (at == std::string::npos) return refuse("has a hint without a value");

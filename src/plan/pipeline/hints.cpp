@@ -92,11 +92,11 @@ std::vector<Stop> stops_of(const Plan& plan) {
         const std::string* pause = value_of(plan.drawing.elements[element], "pause");
         std::string why;
         if (k == 0) {
-            if (pause) why = "layer " + *pause;
+            if (pause) why = "pause " + *pause;
         } else {
             const Rank &now = ranks[element],
                        &before = ranks[static_cast<std::size_t>(plan.strokes[k - 1].element)];
-            if (now.section != before.section && pause) why = "layer " + *pause;
+            if (now.section != before.section && pause) why = "pause " + *pause;
             if (now.tool != before.tool)
                 why += (why.empty() ? "tool " : ", tool ") + std::to_string(now.tool);
         }
