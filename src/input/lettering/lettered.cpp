@@ -51,13 +51,13 @@ std::string hexadecimal(char32_t code) { return fmt::format("{:04X}", static_cas
 std::string name_in_id(const Character& c) {
     const bool plain = (c.code >= '0' && c.code <= '9') || (c.code >= 'A' && c.code <= 'Z') ||
                        (c.code >= 'a' && c.code <= 'z');
-    return plain ? c.utf8 : "u" + hexadecimal(c.code);
+    return plain ? c.utf8 : fmt::format("u{}", hexadecimal(c.code));
 }
 
 /// For people: the character, or its number where it cannot be printed.
 std::string shown(const Character& c) {
-    return c.code < 0x20 || (c.code >= 0x7F && c.code < 0xA0) ? "U+" + hexadecimal(c.code)
-                                                              : "\"" + c.utf8 + "\"";
+    const bool control = c.code < 0x20 || (c.code >= 0x7F && c.code < 0xA0);
+    return control ? fmt::format("U+{}", hexadecimal(c.code)) : fmt::format("\"{}\"", c.utf8);
 }
 
 /// The characters that a font lacks, each once, in the order of the text.

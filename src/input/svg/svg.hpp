@@ -144,7 +144,7 @@ PathData parse_path_data(std::string_view d);
 /// A Document as SVG text that reads back to the same view, size, paints, hints, layer names and ids; lines
 /// and cubics bit for bit, elliptic arcs within rounding (one of more than 3 rad as two). A shape that is
 /// filled and whose stroke has lines of its own (dashes, clips) is written as two, the second with "/stroke"
-/// behind its id. Warnings and places are not part of a file. O(segments).
+/// behind its id. Warnings, places and stroke_clip are not part of a file. O(segments).
 std::string write(const Document& document);
 
 }  // namespace strandline::svg

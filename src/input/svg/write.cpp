@@ -136,8 +136,9 @@ std::string write(const Document& document) {
                         number_text(view.width()), number_text(view.height()));
     if (!document.rake_sizes.empty()) {
         std::string sizes;
-        for (const double size : document.rake_sizes) sizes += (sizes.empty() ? "" : " ") + number_text(size);
-        text += " rake_sizes=\"" + sizes + "\"";
+        for (const double size : document.rake_sizes)
+            sizes += fmt::format("{}{}", sizes.empty() ? "" : " ", number_text(size));
+        text += fmt::format(" rake_sizes=\"{}\"", sizes);
     }
     text += ">\n";
     std::string layer;
