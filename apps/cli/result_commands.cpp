@@ -50,7 +50,7 @@ const std::vector<ExportFormat>& export_formats() {
     return table;
 }
 
-int export_plan(const ExportArguments& arguments, const Common&) {
+int export_plan(const ExportArguments& arguments, const Common& common) {
     const ExportFormat* format = nullptr;
     std::string names;
     for (const ExportFormat& f : export_formats()) {
@@ -61,6 +61,13 @@ int export_plan(const ExportArguments& arguments, const Common&) {
         return complain({"--format " + arguments.format, "is not known", "use one of " + names}, bad_call);
     const auto plan = read_plan_file(arguments.input);
     if (!plan) return complain(plan.error(), bad_input);
+    // The plan and its picture know of stops, robot texts do not.
+    for (const Stop& stop : plan->stops)
+        if (!common.quiet)
+            fmt::print(
+                stderr,
+                "note: stop for {} before stroke {}, {:.0f} s after the start; {} has no word for it\n",
+                stop.why, stop.stroke, stop.time, format->name);
     if (format->name == "beachbot") return write_pair(*plan, arguments.output);
     const auto written = write_output(arguments.output, format->write(*plan, arguments));
     if (!written) return complain(written.error(), bad_input);
@@ -76,6 +83,10 @@ int check(const CheckArguments& arguments, const Common& common) {
     } else if (!common.quiet) {
         fmt::print("{}", summary(*plan, report));
         fmt::print("{}", findings(report, common.verbose));
+        for (const Spot& spot : plan->undrivable)
+            if (common.verbose)
+                fmt::print("not drivable: at ({:.2f}, {:.2f}): {} ({:.2f})\n", spot.at.x, spot.at.y,
+                           spot.what, spot.amount);
         for (const check::Blemish& b : report.blemishes)
             if (common.verbose)
                 fmt::print(
