@@ -74,6 +74,30 @@ TEST(Occlusion, AWhiteStrokeCutsAGapOfItsWidth) {
     EXPECT_NEAR(ink_area(d), 900 - 60, 1e-2);
 }
 
+TEST(Occlusion, AThinAreaBesideAWhiteOneStays) {
+    const Path sliver = path_through({{0, 0}, {40, 40}, {40.001, 40}, {0.001, 0}}, true);
+    EXPECT_EQ(drawn({filled({sliver}), shape({square({30, 0}, 8)}, white, {})}).elements.size(), 1u);
+}
+
+TEST(Occlusion, APauseKeepsWhatIsBeforeItFromWhatIsAfterIt) {
+    svg::Shape stop = stroked(line({{0, 40}, {10, 40}}));
+    stop.hints = {{"pause", "coffee"}};
+    const Drawing areas = drawn({filled({square({0, 0}, 20)}), stop, filled({square({10, 0}, 20)})});
+    ASSERT_EQ(areas.elements.size(), 3u);
+    EXPECT_NEAR(ink_area(areas), 600, 1e-3);
+    EXPECT_LT(areas.elements[0].section, areas.elements[1].section);
+    EXPECT_LT(areas.elements[1].section, areas.elements[2].section);
+    const Drawing lines = drawn({stroked(line({{0, 0}, {10, 0}})), stop, stroked(line({{10, 0}, {20, 0}}))});
+    EXPECT_EQ(lines.elements.size(), 3u) << "lines that meet are not joined across the stop";
+}
+
+TEST(Occlusion, WhatIsCutDoesNotRenameItsSiblings) {
+    const svg::Shape two = shape({line({{0, 10}, {90, 10}}), line({{0, 30}, {90, 30}})}, {}, black);
+    const Drawing d = drawn({two, shape({square({20, 5}, 10)}, white, {})});
+    EXPECT_EQ(ids(d), (Ids{"a", "a/3", "a/2"}));
+    EXPECT_NEAR(length(d.elements[2]), 90, 1e-9);
+}
+
 TEST(Occlusion, PaintThatLetsInkShowThroughHidesNothing) {
     const svg::Paint veil{{255, 255, 255}, 0.5};
     EXPECT_NEAR(ink_area(drawn({filled({square({0, 0}, 30)}), shape({square({10, 10}, 10)}, veil, {})})), 900,

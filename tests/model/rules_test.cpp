@@ -19,6 +19,7 @@ TEST(Rules, ARuleSelectsAndAsks) {
     EXPECT_EQ(rules->at(0).hints, (std::vector<svg::Hint>{{"pins", "3"}, {"fill-style", "zigzag"}}));
     EXPECT_EQ(rules->at(1).of, InkRule::Of::colour);
     EXPECT_EQ(rules->at(1).pattern, "#ff00aa");
+    EXPECT_EQ(rules_of("id=path@3:7: tool=2")->at(0).pattern, "path@3:7");
     EXPECT_TRUE(rules_of("")->empty());
 }
 

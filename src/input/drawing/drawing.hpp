@@ -33,6 +33,8 @@ struct Element {
     int inside = -1;  ///< the smallest element whose outline encloses this one, -1: none
     /// What rules and the file itself ask for it, by name; "pause" names the layer that a stop comes before.
     std::vector<svg::Hint> hints = {};
+    int section =
+        0;  ///< pauses part the drawing into sections, in painting order; they are driven one by one
     bool operator==(const Element&) const = default;
 };
 bool is_region(const Element& element);

@@ -100,7 +100,7 @@ class Ids {
 Painted painted(const Inked& inked, const Placement& placement, const Robot& robot,
                 const DrawingOptions& options, DrawingCounts& counts) {
     const svg::Shape& shape = *inked.shape;
-    Painted result{.shape = &shape, .pins = inked.pins, .hints = inked.hints};
+    Painted result{.shape = &shape, .pins = inked.pins, .hints = inked.hints, .section = inked.section};
     std::vector<Path> paths;
     for (const Path& path : shape.subpaths) paths.push_back(transformed(path, placement.to_canvas));
     std::vector<Path> lines = shape.lines ? std::vector<Path>{} : paths;  // what the stroke follows
@@ -162,11 +162,17 @@ std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placeme
                 continue;
             }
             elements.push_back({ids.next(shape.id, piece), shape.layer,
-                                RegionElement{std::move(sheet.area[piece])}, -1, sheet.hints});
+                                RegionElement{std::move(sheet.area[piece])}, -1, sheet.hints, sheet.section});
         }
-        for (InkLine& line : sheet.lines)
-            elements.push_back({ids.next(shape.id, line.subpath), shape.layer,
-                                LineElement{std::move(line.path), sheet.pins}, -1, sheet.hints});
+        // The first part of each subpath keeps its number, further ones come after all of them.
+        std::set<std::size_t> met;
+        std::size_t next = svg::stroked_paths(shape).size();
+        for (InkLine& line : sheet.lines) {
+            const std::size_t number = met.insert(line.subpath).second ? line.subpath : next++;
+            elements.push_back({ids.next(shape.id, number), shape.layer,
+                                LineElement{std::move(line.path), sheet.pins}, -1, sheet.hints,
+                                sheet.section});
+        }
     }
     return elements;
 }

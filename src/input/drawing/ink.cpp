@@ -119,6 +119,8 @@ Outcome<Ink> ink_of(const svg::Document& document, const Robot& robot, const Dra
     if (const auto there = layers_are_there(document, options); !there) return tl::unexpected(there.error());
     const Choices choices(document, options);
     Ink ink;
+    int section = 0;
+    std::string pause_before;
     for (const svg::Shape& shape : document.shapes) {
         if (shape.subpaths.empty()) continue;
         if (!choices.chosen(shape)) {
@@ -134,6 +136,10 @@ Outcome<Ink> ink_of(const svg::Document& document, const Robot& robot, const Dra
         }
         Inked inked{&shape};
         inked.hints = choices.hints_of(shape);
+        const std::string pause = value_of(inked.hints, "pause").value_or("");
+        section += pause != pause_before ? 1 : 0;
+        pause_before = pause;
+        inked.section = section;
         inked.pinned = value_of(inked.hints, "pins").has_value();
         const std::optional<std::string> asked = value_of(inked.hints, "ink");
         if (asked == "off") {

@@ -59,10 +59,10 @@ LineElement* open_line(Element& element) {
 }
 
 /// What two lines must share to become one.
-using Kin = std::tuple<std::string, int, std::vector<std::pair<std::string, std::string>>>;
+using Kin = std::tuple<std::string, int, int, std::vector<std::pair<std::string, std::string>>>;
 Kin kin_of(const Element& element) {
-    Kin kin{element.layer, std::get<LineElement>(element.what).pins, {}};
-    for (const svg::Hint& hint : element.hints) std::get<2>(kin).emplace_back(hint.name, hint.value);
+    Kin kin{element.layer, std::get<LineElement>(element.what).pins, element.section, {}};
+    for (const svg::Hint& hint : element.hints) std::get<3>(kin).emplace_back(hint.name, hint.value);
     return kin;
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "input/drawing/parts.hpp"
@@ -77,6 +78,26 @@ void for_overlapping(const std::vector<A>& a, const std::vector<B>& b, Visit vis
     }
 }
 
+/// Whether areas whose boxes overlap may meet: not where the box of one lies wholly outside the other, as
+/// with rings in rings. Their indices are built when first asked for.
+class Meeting {
+  public:
+    Meeting(const std::vector<Piece>& a, const std::vector<Piece>& b)
+        : a_(a), b_(b), index_a_(a.size()), index_b_(b.size()) {}
+    bool possible(std::size_t i, std::size_t j) {
+        return index(index_a_[i], a_[i]).cover_of(b_[j].box) != AreaIndex::Cover::outside &&
+               index(index_b_[j], b_[j]).cover_of(a_[i].box) != AreaIndex::Cover::outside;
+    }
+
+  private:
+    static const AreaIndex& index(std::optional<AreaIndex>& held, const Piece& piece) {
+        if (!held) held.emplace(Regions{piece.region});
+        return *held;
+    }
+    const std::vector<Piece>&a_, &b_;
+    std::vector<std::optional<AreaIndex>> index_a_, index_b_;
+};
+
 /// Numbers that belong together (union-find, by halving the way up).
 class Groups {
   public:
@@ -125,8 +146,9 @@ template <class May>
 std::vector<Piece> merged_pieces(std::vector<Piece> below, std::vector<Piece> above, int* merged, May may) {
     Groups groups(below.size() + above.size());
     std::vector<char> meets(below.size() + above.size(), 0);
+    Meeting meeting(below, above);
     for_overlapping(below, above, [&](std::size_t i, std::size_t j) {
-        if (!may(below[i], above[j])) return;
+        if (!may(below[i], above[j]) || !meeting.possible(i, j)) return;
         groups.join(i, below.size() + j);
         meets[i] = meets[below.size() + j] = 1;
     });
@@ -188,8 +210,8 @@ class Painter {
         whole.lines = uncovered(std::move(below.lines), above);
         std::ranges::move(above.lines, std::back_inserter(whole.lines));
         std::vector<Piece> left = erased(std::move(below.ink), above);
-        const auto alike = [&](const Piece& a, const Piece& b) { return same_hints(a, b); };
-        whole.ink = merged_pieces(std::move(left), std::move(above.ink), &counts_.merged, alike);
+        const auto may = [&](const Piece& a, const Piece& b) { return alike(a, b); };
+        whole.ink = merged_pieces(std::move(left), std::move(above.ink), &counts_.merged, may);
         // nothing lies under the lowest sheet
         const auto always = [](const Piece&, const Piece&) { return true; };
         if (!lowest)
@@ -197,17 +219,21 @@ class Painter {
         return whole;
     }
 
-    bool same_hints(const Piece& a, const Piece& b) const {
-        return shapes_[a.shape].hints == shapes_[b.shape].hints;
+    /// May they become one?
+    bool alike(const Piece& a, const Piece& b) const {
+        const Painted &p = shapes_[a.shape], &q = shapes_[b.shape];
+        return p.section == q.section && p.hints == q.hints;
     }
 
     /// What the sheet above leaves of the ink: its bare paint hides, and so does ink of other hints.
     std::vector<Piece> erased(std::vector<Piece> ink, const Sheet& above) {
         std::vector<Regions> over(ink.size());
-        for_overlapping(ink, above.hides,
-                        [&](std::size_t i, std::size_t j) { over[i].push_back(above.hides[j].region); });
+        Meeting with_hides(ink, above.hides);
+        for_overlapping(ink, above.hides, [&](std::size_t i, std::size_t j) {
+            if (with_hides.possible(i, j)) over[i].push_back(above.hides[j].region);
+        });
         for_overlapping(ink, above.ink, [&](std::size_t i, std::size_t j) {
-            if (!same_hints(ink[i], above.ink[j])) over[i] = united(over[i], {above.ink[j].region});
+            if (!alike(ink[i], above.ink[j])) over[i].push_back(above.ink[j].region);
         });
         std::vector<Piece> left;
         for (std::size_t i = 0; i < ink.size(); ++i) {
@@ -215,9 +241,15 @@ class Painter {
                 left.push_back(std::move(ink[i]));
                 continue;
             }
-            Regions rest = subtracted({std::move(ink[i].region)}, over[i]);
-            // Two outlines that nearly agree leave slivers that nothing can rake.
-            std::erase_if(rest, [&](const Region& region) { return inset({region}, tolerance_).empty(); });
+            Regions rest = subtracted({ink[i].region}, over[i]);
+            constexpr double untouched = 1 - 1e-9;
+            if (area(rest) >= untouched * area(ink[i].region)) {
+                left.push_back(std::move(ink[i]));
+                continue;
+            }
+            // Two outlines that nearly agree leave slivers that nothing can rake; what was thin before stays.
+            const auto thin = [&](const Region& region) { return inset({region}, tolerance_).empty(); };
+            if (!thin(ink[i].region)) std::erase_if(rest, thin);
             if (rest.empty()) ++counts_.hidden;
             std::ranges::move(pieces_of(std::move(rest), ink[i].shape), std::back_inserter(left));
         }

@@ -18,6 +18,7 @@ struct Inked {
     int pins = 0;                                   ///< of the stroke
     bool pinned = false;                            ///< a hint says with how many: it is a line, however wide
     std::vector<svg::Hint> hints = {};
+    int section = 0;  ///< of those that pauses part the drawing into
     bool drawn() const { return fill || stroke; }
 };
 
@@ -77,6 +78,7 @@ struct Painted {
     const svg::Shape* shape;
     int pins;
     std::vector<svg::Hint> hints = {};  ///< areas of different hints do not become one: the later cuts
+    int section = 0;                    ///< nor do those on two sides of a pause
     std::vector<InkLine> lines = {};
     Regions area = {}, hides = {};
 };

@@ -42,8 +42,12 @@ Outcome<InkRule> rule_of(const std::string& text) {
         return fail("rule \"" + text + "\"", reason,
                     "write for example \"layer=Outline: pins=3, fill-style=zigzag\"");
     };
-    const std::size_t colon = text.find(':'), equals = text.find('=');
-    if (colon == std::string::npos || equals > colon) return refuse("does not say what it is for");
+    // Names may hold colons ("path@3:7"): the last one before the first hint's "=".
+    const std::size_t equals = text.find('='),
+                      hint_equals = text.find('=', std::min(equals, text.size() - 1) + 1);
+    const std::size_t colon = text.rfind(':', hint_equals);
+    if (equals == std::string::npos || colon == std::string::npos || equals > colon)
+        return refuse("does not say what it is for");
     InkRule rule;
     const std::string of = trimmed(text.substr(0, equals));
     if (of == "layer")
@@ -87,7 +91,10 @@ Outcome<void> valid(const svg::Hint& hint) {
     if (hint.name == "pins" || hint.name == "tool") return whole_from(hint, 1);
     if (hint.name == "order") return whole_from(hint, std::numeric_limits<int>::min());
     if (hint.name == "start") return whole_from(hint, -1);
-    if (hint.name == "pause") return {};
+    if (hint.name == "pause") {
+        if (!hint.value.empty()) return {};
+        return fail(hint.name, "says nothing of what the stop is for", "write for example \"another rake\"");
+    }
     if (hint.name.starts_with(fill_prefix)) {
         Options scratch;
         std::string key = "fill." + hint.name.substr(fill_prefix.size());

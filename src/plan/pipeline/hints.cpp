@@ -25,28 +25,21 @@ struct Rank {
 };
 std::vector<Rank> ranks_of(const Drawing& drawing) {
     std::vector<Rank> ranks;
-    int section = 0;
-    std::string before;
-    for (const Element& element : drawing.elements) {
-        const std::string* pause = value_of(element, "pause");
-        const std::string here = pause ? *pause : std::string();
-        if (here != before) ++section;
-        before = here;
-        ranks.push_back({section, number_of(element, "tool", 1), number_of(element, "order", 0)});
-    }
+    for (const Element& element : drawing.elements)
+        ranks.push_back({element.section, number_of(element, "tool", 1), number_of(element, "order", 0)});
     return ranks;
 }
 
 }  // namespace
 
-Warnings drop_wrong_hints(Drawing& drawing) {
+Warnings drop_wrong_hints(svg::Document& document) {
     Warnings warnings;
     std::set<std::pair<std::string, std::string>> told;
-    for (Element& element : drawing.elements)
-        std::erase_if(element.hints, [&](const svg::Hint& hint) {
+    for (svg::Shape& shape : document.shapes)
+        std::erase_if(shape.hints, [&](const svg::Hint& hint) {
             const auto fine = valid(hint);
             if (!fine && told.emplace(hint.name, hint.value).second)
-                warnings.push_back({element.id, "hint " + sentence(fine.error()) + "; it is passed over"});
+                warnings.push_back({shape.place, "hint " + sentence(fine.error()) + "; it is passed over"});
             return !fine;
         });
     return warnings;

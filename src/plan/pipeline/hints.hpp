@@ -6,7 +6,7 @@
 namespace strandline::pipeline {
 
 /// Takes out the hints that cannot be obeyed, with a warning for each name and value.
-Warnings drop_wrong_hints(Drawing& drawing);
+Warnings drop_wrong_hints(svg::Document& document);
 /// The settings with the element's fill-* hints over them.
 Options options_for(const Element& element, const Options& options);
 /// The hints "start": where lines are entered.

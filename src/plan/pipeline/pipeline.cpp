@@ -187,16 +187,17 @@ Outcome<void> valid(const Options& options, const Robot& robot) {
 
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits, const Progress& progress) {
-    const auto document = read_source(source, options, patient(progress));
+    auto document = read_source(source, options, patient(progress));
     if (!document) return tl::unexpected(document.error());
-    return make_plan(*document, source.title, robot, options, edits, progress);
+    return make_plan(std::move(*document), source.title, robot, options, edits, progress);
 }
 
-Outcome<Plan> make_plan(const svg::Document& document, const std::string& title, const Robot& robot,
+Outcome<Plan> make_plan(svg::Document document, const std::string& title, const Robot& robot,
                         const Options& options, const std::vector<Edit>& edits, const Progress& progress) {
     if (const auto fits = valid(options, robot); !fits) return tl::unexpected(fits.error());
     const auto asked = drawing_options(options);
     if (!asked) return tl::unexpected(asked.error());
+    const Warnings wrong_hints = pipeline::drop_wrong_hints(document);
     auto drawing = make_drawing(document, robot, *asked, patient(progress));
     if (!drawing) {
         Error error = drawing.error();
@@ -205,7 +206,6 @@ Outcome<Plan> make_plan(const svg::Document& document, const std::string& title,
         return tl::unexpected(error);
     }
 
-    const Warnings wrong_hints = pipeline::drop_wrong_hints(*drawing);
     pipeline::Strokes strokes = pipeline::strokes_of(*drawing, robot, options, patient(progress));
     if (strokes.groups.empty())
         return fail(title, "nothing of the drawing can be raked at this size",

@@ -33,7 +33,7 @@ Outcome<void> valid(const Options& options, const Robot& robot);
 /// for bit, unless options.tour.time_limit or the user stopped the search (figures.reproducible says so).
 /// Error: options that are not valid(); input at fault (place, reason, remedy); contradictory edits by name.
 /// Edits whose place is gone are kept and listed as idle.
-Outcome<Plan> make_plan(const svg::Document& document, const std::string& title, const Robot& robot,
+Outcome<Plan> make_plan(svg::Document document, const std::string& title, const Robot& robot,
                         const Options& options, const std::vector<Edit>& edits = {},
                         const Progress& progress = {});
 /// From the file itself.

@@ -83,6 +83,7 @@ void fields(Either<Element> auto& element, Visit&& field) {
     field("layer", element.layer);
     field("inside", element.inside);
     field("hints", element.hints);
+    field("section", element.section);
     field("draw", element.what);
 }
 
