@@ -81,11 +81,7 @@ TEST(Picture, WhatIsWrongIsSaidAndNothingIsWritten) {
     write(folder / "gif.png", "GIF89a........");
     write(folder / "empty.png", "");
     const auto refused = [&](const std::string& arguments, int code, const std::string& words) {
-        const Result result = run(folder, arguments);
-        EXPECT_EQ(result.exit, code) << arguments << "\n" << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-        EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
-        EXPECT_FALSE(fs::exists(folder / "out")) << arguments;
+        expect_refused(folder, arguments, code, words);
     };
     for (const char* command : {"plan ", "trace "}) {
         refused(command + "cut.png -o out"s, 1, "cut.png: is a PNG picture that cannot be read");

@@ -1,7 +1,9 @@
 #pragma once
 // Runs the built program as a user would.
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -50,6 +52,16 @@ inline Result run(const Folder& folder, const std::string& arguments) {
                                 arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+}
+
+/// The call ends with `code` and one line that holds `words`, and writes no file "out".
+inline void expect_refused(const Folder& folder, const std::string& arguments, int code,
+                           const std::string& words) {
+    const Result result = run(folder, arguments);
+    EXPECT_EQ(result.exit, code) << arguments << "\n" << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(folder / "out")) << arguments;
 }
 
 }  // namespace strandline::test

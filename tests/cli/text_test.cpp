@@ -52,11 +52,7 @@ TEST(Text, WhatIsWrongIsSaidAndNothingIsWritten) {
     write(folder / "bar.jhf", bar_font());
     write(folder / "not.jhf", "root:x:0\n");
     const auto refused = [&](const std::string& arguments, int code, const std::string& words) {
-        const Result result = run(folder, arguments);
-        EXPECT_EQ(result.exit, code) << arguments << "\n" << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-        EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
-        EXPECT_FALSE(fs::exists(folder / "out")) << arguments;
+        expect_refused(folder, arguments, code, words);
     };
     refused("text -o out", 2, "missing");
     refused("text B --font bar.jhf -o out", 1, "\"B\"");

@@ -37,11 +37,6 @@ bool matches(std::string_view pattern, std::string_view text) {
     return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
-std::optional<std::string> value_of(const std::vector<svg::Hint>& hints, std::string_view name) {
-    const auto found = std::ranges::find(hints, name, &svg::Hint::name);
-    return found == hints.end() ? std::nullopt : std::optional(found->value);
-}
-
 Choices::Choices(const svg::Document& document, const DrawingOptions& options)
     : document_(document), options_(options) {}
 

@@ -23,6 +23,11 @@ double length(const Element& element) {
                            [](double sum, const Polygon& hole) { return sum + perimeter(hole); });
 }
 
+const std::string* value_of(const std::vector<svg::Hint>& hints, std::string_view name) {
+    const auto found = std::ranges::find(hints, name, &svg::Hint::name);
+    return found == hints.end() ? nullptr : &found->value;
+}
+
 namespace {
 
 tl::unexpected<Error> nothing_to_draw(const DrawingCounts& counts) {

@@ -3,6 +3,7 @@
 // origin at the canvas's lower left.
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -41,6 +42,9 @@ bool is_region(const Element& element);
 Box bounds(const Element& element);
 /// Drawn length of a line; perimeter of a region.
 double length(const Element& element);
+
+/// nullptr: there is no hint of that name.
+const std::string* value_of(const std::vector<svg::Hint>& hints, std::string_view name);
 
 struct Canvas {
     double width = 14, height = 14;

@@ -16,34 +16,6 @@ constexpr int most_rounds = 6;
 /// A fit that is off by less than this many tolerances is worth such rounds; a worse one is cut in two.
 constexpr double worth_a_round = 4;
 
-/// The numbers of the points that stay, first and last among them.
-std::vector<std::size_t> kept(const std::vector<Point>& points, double tolerance) {
-    std::vector<char> stays(points.size(), 0);
-    stays.front() = stays.back() = 1;
-    std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
-    while (!open.empty()) {
-        const auto [first, last] = open.back();
-        open.pop_back();
-        double worst = 0;
-        std::size_t at = first;
-        for (std::size_t i = first + 1; i < last; ++i) {
-            const double off = distance_to_segment(points[i], points[first], points[last]);
-            if (off > worst) {
-                worst = off;
-                at = i;
-            }
-        }
-        if (worst <= tolerance) continue;
-        stays[at] = 1;
-        open.emplace_back(first, at);
-        open.emplace_back(at, last);
-    }
-    std::vector<std::size_t> numbers;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (stays[i] != 0) numbers.push_back(i);
-    return numbers;
-}
-
 /// Of a closed line the first point comes again at the end; it begins at the point farthest from its middle,
 /// which is the likeliest corner.
 std::vector<Point> points_of(const Path& path, double tolerance) {
@@ -177,7 +149,7 @@ Path simplified(const Path& path, double tolerance) {
     const std::vector<Point> points = points_of(path, tolerance);
     if (points.size() < 3) return path;
     std::vector<Point> fewer;
-    for (const std::size_t i : kept(points, tolerance)) fewer.push_back(points[i]);
+    for (const std::size_t i : thinned(points, tolerance)) fewer.push_back(points[i]);
     if (path.closed) fewer.pop_back();
     return fewer.size() < (path.closed ? 3U : 2U) ? path : path_through(fewer, path.closed);
 }
@@ -185,7 +157,7 @@ Path simplified(const Path& path, double tolerance) {
 Path smoothed(const Path& path, double tolerance) {
     const std::vector<Point> points = points_of(path, tolerance);
     if (points.size() < 3) return path;
-    const std::vector<std::size_t> bones = kept(points, tolerance);
+    const std::vector<std::size_t> bones = thinned(points, tolerance);
     std::vector<std::size_t> corners{0};
     const auto turn = [&](std::size_t before, std::size_t at, std::size_t after) {
         return std::abs(

@@ -81,7 +81,7 @@ namespace {
 /// The stroke's pins: by its hint, else by its width; 0 leaves no mark.
 int pins_of(const svg::Shape& shape, const std::vector<svg::Hint>& hints, const svg::Document& document,
             const Robot& robot, Warnings& warnings) {
-    if (const auto asked = value_of(hints, "pins")) {
+    if (const std::string* asked = value_of(hints, "pins")) {
         int pins = 0;
         const auto [end, error] = std::from_chars(asked->data(), asked->data() + asked->size(), pins);
         if (error == std::errc{} && end == asked->data() + asked->size() && pins >= 1 && pins <= robot.pins)
@@ -136,20 +136,21 @@ Outcome<Ink> ink_of(const svg::Document& document, const Robot& robot, const Dra
         }
         Inked inked{&shape};
         inked.hints = choices.hints_of(shape);
-        const std::string pause = value_of(inked.hints, "pause").value_or("");
+        const std::string* named = value_of(inked.hints, "pause");
+        const std::string pause = named != nullptr ? *named : "";
         section += pause != pause_before ? 1 : 0;
         pause_before = pause;
         inked.section = section;
-        inked.pinned = value_of(inked.hints, "pins").has_value();
-        const std::optional<std::string> asked = value_of(inked.hints, "ink");
-        if (asked == "off") {
+        inked.pinned = value_of(inked.hints, "pins") != nullptr;
+        const std::string* asked = value_of(inked.hints, "ink");
+        if (asked != nullptr && *asked == "off") {
             ++ink.unchosen;
             continue;
         }
-        if (asked && asked != "on")
+        if (asked != nullptr && *asked != "on")
             ink.warnings.push_back({shape.place, fmt::format("ink \"{}\" is neither on nor off", *asked)});
         Effect fill = effect_of(shape.fill, options), stroke = effect_of(shape.stroke, options);
-        if (asked == "on") {
+        if (asked != nullptr && *asked == "on") {
             fill = {.ink = shape.fill && shape.fill->opacity > 0};
             stroke = {.ink = shape.stroke && shape.stroke->opacity > 0};
         }

@@ -56,8 +56,6 @@ class Choices {
 bool is_left_out(std::string_view layer);
 /// `*` stands for any letters.
 bool matches(std::string_view pattern, std::string_view text);
-/// Absent: no such hint.
-std::optional<std::string> value_of(const std::vector<svg::Hint>& hints, std::string_view name);
 
 struct Placement {
     Affine to_canvas;

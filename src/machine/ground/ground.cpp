@@ -28,10 +28,6 @@ std::size_t place_in_tile(int i, int j) {
     constexpr int mask = Ground::tile_size - 1;
     return static_cast<std::size_t>((j & mask) * Ground::tile_size + (i & mask));
 }
-/// The first cell whose centre is at or beyond a coordinate: ceil(x / cell - 1/2).
-int first_from(const Ground& ground, double coordinate) {
-    return -ground.index(ground.cell_size() / 2 - coordinate);
-}
 
 }  // namespace
 
@@ -82,7 +78,7 @@ CellRun rows_in(const Ground& ground, std::span<const Point> convex) {
         low = std::min(low, p.y);
         high = std::max(high, p.y);
     }
-    return {first_from(ground, low), first_from(ground, high)};
+    return {ground.first_from(low), ground.first_from(high)};
 }
 
 CellRun row_in(const Ground& ground, std::span<const Point> convex, int j) {
@@ -98,7 +94,7 @@ CellRun row_in(const Ground& ground, std::span<const Point> convex, int j) {
         right = std::max(right, x);
     }
     if (left > right) return {0, 0};
-    return {first_from(ground, left), first_from(ground, right)};
+    return {ground.first_from(left), ground.first_from(right)};
 }
 
 Bar swept_bar(Point a0, Point b0, Point a1, Point b1) {

@@ -32,6 +32,8 @@ class Ground {
     std::size_t tiles() const { return tiles_.size(); }  ///< made so far: the memory, for tests of it
     Point centre(int i, int j) const { return {(i + 0.5) * cell_, (j + 0.5) * cell_}; }
     int index(double coordinate) const;  ///< of the cell that holds it; clamped to +-2^30 cells
+    /// The first cell whose centre is at or beyond a coordinate: ceil(x / cell - 1/2), clamped as index().
+    int first_from(double coordinate) const { return -index(cell_ / 2 - coordinate); }
     /// Every touched tile's cells, in a fixed order (by row, then column).
     void visit(const std::function<void(int, int, const Cell&)>& what) const;
 

@@ -1,6 +1,7 @@
 #include "math/geometry/geometry.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace strandline {
 
@@ -106,6 +107,32 @@ Point point_at(const Polyline& line, double arc) {
     }
     return line.back();
 }
+std::vector<std::size_t> thinned(std::span<const Point> line, double tolerance) {
+    if (line.empty()) return {};
+    std::vector<bool> kept(line.size(), false);
+    kept.front() = kept.back() = true;
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, line.size() - 1}};
+    while (!open.empty()) {
+        const auto [from, to] = open.back();
+        open.pop_back();
+        double farthest = tolerance;
+        std::size_t at = from;
+        for (std::size_t i = from + 1; i < to; ++i)
+            if (const double d = distance_to_segment(line[i], line[from], line[to]); d > farthest) {
+                farthest = d;
+                at = i;
+            }
+        if (at == from) continue;
+        kept[at] = true;
+        open.emplace_back(from, at);
+        open.emplace_back(at, to);
+    }
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < line.size(); ++i)
+        if (kept[i]) numbers.push_back(i);
+    return numbers;
+}
+
 Polyline slice(const Polyline& line, double from, double to) {
     Polyline part{point_at(line, from)};
     double arc = 0;

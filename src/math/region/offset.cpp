@@ -1,5 +1,6 @@
 // Insets, swept areas and simplifying.
 #include <algorithm>
+#include <span>
 
 #include "math/region/grid.hpp"
 
@@ -19,34 +20,20 @@ double arc_error(double radius, double asked) {
     return (asked > 0 ? std::min(asked, coarsest_arc * r) : r / arc_share) / rounding;
 }
 
-/// Douglas-Peucker (1973) on a ring, split at its first corner and the corner farthest from it.
-Polygon thinned(const Polygon& ring, double tolerance) {
+/// A ring is split at its first corner and the corner farthest from it.
+Polygon thinned_ring(const Polygon& ring, double tolerance) {
     const std::size_t n = ring.size();
     if (n < 4) return ring;
     std::size_t opposite = 0;
     for (std::size_t i = 1; i < n; ++i)
         if (distance(ring[0], ring[i]) > distance(ring[0], ring[opposite])) opposite = i;
-    std::vector<bool> kept(n + 1, false);
-    kept[0] = kept[opposite] = kept[n] = true;
-    std::vector<std::pair<std::size_t, std::size_t>> open{{0, opposite}, {opposite, n}};
-    while (!open.empty()) {
-        const auto [from, to] = open.back();
-        open.pop_back();
-        double farthest = tolerance;
-        std::size_t at = from;
-        for (std::size_t i = from + 1; i < to; ++i)
-            if (const double d = distance_to_segment(ring[i], ring[from], ring[to % n]); d > farthest) {
-                farthest = d;
-                at = i;
-            }
-        if (at == from) continue;
-        kept[at] = true;
-        open.emplace_back(from, at);
-        open.emplace_back(at, to);
-    }
+    Polygon round = ring;
+    round.push_back(ring[0]);
+    const std::span<const Point> chain(round);
     Polygon rest;
-    for (std::size_t i = 0; i < n; ++i)
-        if (kept[i]) rest.push_back(ring[i]);
+    for (const std::size_t i : thinned(chain.first(opposite + 1), tolerance)) rest.push_back(ring[i]);
+    const std::vector<std::size_t> back = thinned(chain.subspan(opposite), tolerance);
+    for (std::size_t k = 1; k + 1 < back.size(); ++k) rest.push_back(ring[opposite + back[k]]);
     return rest;
 }
 
@@ -69,9 +56,9 @@ Regions simplified(const Regions& regions, double tolerance) {
     std::vector<Polygon> outlines;
     for (const Region& region : regions) {
         if (area(region.outer) < tolerance * tolerance) continue;
-        outlines.push_back(thinned(region.outer, tolerance));
+        outlines.push_back(thinned_ring(region.outer, tolerance));
         for (const Polygon& hole : region.holes)
-            if (area(hole) >= tolerance * tolerance) outlines.push_back(thinned(hole, tolerance));
+            if (area(hole) >= tolerance * tolerance) outlines.push_back(thinned_ring(hole, tolerance));
     }
     Regions rest = resolved(outlines, FillRule::nonzero);  // thinning may make outlines touch or cross
     std::erase_if(rest, [&](const Region& region) { return area(region) < tolerance * tolerance; });

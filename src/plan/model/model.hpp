@@ -114,6 +114,9 @@ std::string name_of(Setting::Kind kind);
 /// Names that hints may have beside fill-* (any setting of the group fill): ink, pins, tool, order, start,
 /// pause. Error: an unknown name, or a value that it cannot have.
 Outcome<void> valid(const svg::Hint& hint);
+/// A hint fill-*, and the setting of the group fill that it stands for. Error: as set() of the setting.
+bool is_fill_hint(const svg::Hint& hint);
+Outcome<void> set(Options& options, const svg::Hint& fill_hint);
 /// "layer=Outline: pins=3; colour=#ff0000: tool=2, fill-style=zigzag". `*` in what is selected stands for any
 /// letters. Error: what cannot be read, with the rule.
 Outcome<std::vector<InkRule>> rules_of(const std::string& text);

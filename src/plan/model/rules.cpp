@@ -83,6 +83,16 @@ Outcome<InkRule> rule_of(const std::string& text) {
 
 }  // namespace
 
+bool is_fill_hint(const svg::Hint& hint) { return hint.name.starts_with(fill_prefix); }
+
+Outcome<void> set(Options& options, const svg::Hint& fill_hint) {
+    std::string key = "fill." + fill_hint.name.substr(fill_prefix.size());
+    std::ranges::replace(key, '-', '_');
+    auto done = set(options, key, fill_hint.value);
+    if (!done) done.error().place = fill_hint.name;
+    return done;
+}
+
 Outcome<void> valid(const svg::Hint& hint) {
     if (hint.name == "ink") {
         if (hint.value == "on" || hint.value == "off") return {};
@@ -95,14 +105,7 @@ Outcome<void> valid(const svg::Hint& hint) {
         if (!hint.value.empty()) return {};
         return fail(hint.name, "says nothing of what the stop is for", "write for example \"another rake\"");
     }
-    if (hint.name.starts_with(fill_prefix)) {
-        Options scratch;
-        std::string key = "fill." + hint.name.substr(fill_prefix.size());
-        std::ranges::replace(key, '-', '_');
-        auto done = set(scratch, key, hint.value);
-        if (!done) done.error().place = hint.name;
-        return done;
-    }
+    if (Options scratch; is_fill_hint(hint)) return set(scratch, hint);
     return fail(hint.name, "there is no such hint", "use ink, pins, tool, order, start, pause or fill-*");
 }
 

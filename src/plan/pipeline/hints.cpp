@@ -9,12 +9,8 @@
 namespace strandline::pipeline {
 namespace {
 
-const std::string* value_of(const Element& element, std::string_view name) {
-    const auto found = std::ranges::find(element.hints, name, &svg::Hint::name);
-    return found == element.hints.end() ? nullptr : &found->value;
-}
 int number_of(const Element& element, std::string_view name, int otherwise) {
-    const std::string* value = value_of(element, name);
+    const std::string* value = value_of(element.hints, name);
     return value ? std::atoi(value->c_str()) : otherwise;
 }
 
@@ -47,20 +43,16 @@ Warnings drop_wrong_hints(svg::Document& document) {
 
 Options options_for(const Element& element, const Options& options) {
     Options own = options;
-    for (const svg::Hint& hint : element.hints) {
-        if (!hint.name.starts_with("fill-")) continue;
-        std::string key = "fill." + hint.name.substr(5);
-        std::ranges::replace(key, '-', '_');
+    for (const svg::Hint& hint : element.hints)
         // checked by drop_wrong_hints
-        static_cast<void>(set(own, key, hint.value));
-    }
+        if (is_fill_hint(hint)) static_cast<void>(set(own, hint));
     return own;
 }
 
 std::vector<Edit> entries_asked(const Drawing& drawing) {
     std::vector<Edit> edits;
     for (const Element& element : drawing.elements)
-        if (value_of(element, "start"))
+        if (value_of(element.hints, "start"))
             edits.push_back(EntryEdit{{element.id, number_of(element, "start", 0)}});
     return edits;
 }
@@ -82,7 +74,7 @@ std::vector<Stop> stops_of(const Plan& plan) {
     std::size_t at = 0;
     for (std::size_t k = 0; k < plan.strokes.size(); ++k) {
         const auto element = static_cast<std::size_t>(plan.strokes[k].element);
-        const std::string* pause = value_of(plan.drawing.elements[element], "pause");
+        const std::string* pause = value_of(plan.drawing.elements[element].hints, "pause");
         std::string why;
         if (k == 0) {
             if (pause) why = "pause " + *pause;

@@ -158,8 +158,7 @@ class Judge {
         if (stroke.element < 0 || stroke.element >= static_cast<int>(drawn_.size()) ||
             stroke.rake_path.empty())
             return;
-        double planned = 0;
-        for (const Curve& curve : stroke.rake_path) planned += length(curve);
+        const double planned = length(stroke.rake_path);
         const Point at = stroke.rake_path.front().start.at;
         const auto fault = [&](std::string what) {
             faults_.add(1, {Law::drawn_once, std::move(what), at, -1, static_cast<int>(k), stroke.element});

@@ -30,11 +30,10 @@ void for_rows(const Region& region, const Ground& ground, Box within, What what)
     const Box box = bounds(region);
     const double low = std::max(box.low.y, within.low.y), high = std::min(box.high.y, within.high.y);
     const double cell = ground.cell_size();
-    const auto first_from = [&](double coordinate) { return -ground.index(cell / 2 - coordinate); };
     std::vector<Edge> active;
     std::vector<double> cuts;
     auto next = edges.begin();
-    for (int row = first_from(low), end = first_from(high); row < end; ++row) {
+    for (int row = ground.first_from(low), end = ground.first_from(high); row < end; ++row) {
         const double y = (row + 0.5) * cell;
         for (; next != edges.end() && next->low.y <= y; ++next) active.push_back(*next);
         std::erase_if(active, [&](const Edge& e) { return e.high.y <= y; });
@@ -43,7 +42,7 @@ void for_rows(const Region& region, const Ground& ground, Box within, What what)
             cuts.push_back(e.low.x + (e.high.x - e.low.x) * ((y - e.low.y) / (e.high.y - e.low.y)));
         std::ranges::sort(cuts);
         for (std::size_t k = 0; k + 1 < cuts.size(); k += 2)
-            what(row, first_from(cuts[k]), first_from(cuts[k + 1]));
+            what(row, ground.first_from(cuts[k]), ground.first_from(cuts[k + 1]));
     }
 }
 
