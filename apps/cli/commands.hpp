@@ -77,7 +77,7 @@ struct TourArguments {
 int tour(const TourArguments& arguments, const Common& common);
 
 struct FillArguments {
-    std::string input, output = "-", style = "spiral", vehicle = "free", width, spacing;
+    std::string input, output = "-", style = "rings", vehicle = "free", width, spacing;
 };
 int fill(const FillArguments& arguments, const Common& common);
 

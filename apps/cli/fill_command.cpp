@@ -26,12 +26,11 @@ int fill(const FillArguments& arguments, const Common& common) {
     fill::Options options;
     if (arguments.style == "zigzag")
         options.style = fill::Style::zigzag;
-    else if (arguments.style == "rings")
-        return complain({"--style rings", "comes with a later version",
-                         "use spiral: rings joined by short steps, or zigzag"},
+    else if (arguments.style == "spiral")
+        options.style = fill::Style::spiral;
+    else if (arguments.style != "rings")
+        return complain({"--style " + arguments.style, "is not a style", "use rings, spiral or zigzag"},
                         bad_call);
-    else if (arguments.style != "spiral")
-        return complain({"--style " + arguments.style, "is not a style", "use spiral or zigzag"}, bad_call);
 
     std::optional<double> width, spacing;
     if (!arguments.width.empty()) {

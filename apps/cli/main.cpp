@@ -157,7 +157,7 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     CLI::App* fill = app.add_subcommand("fill", "one stage alone: the strokes that rake a polygon (JSON)");
     in_out(fill, f.input, f.output, "polygon (docs/stage-formats.md), or -");
     fill->add_option("--width", f.width, "rake width; overrides the file's");
-    fill->add_option("--style", f.style, "spiral or zigzag")->capture_default_str();
+    fill->add_option("--style", f.style, "rings, spiral or zigzag")->capture_default_str();
     fill->add_option("--spacing", f.spacing, "between neighbouring passes");
     fill->add_option("--vehicle", f.vehicle, "free (turns on the spot), or a robot")->capture_default_str();
     fill->footer("Example:\n  strandline fill letter.json --width 0.42 --style zigzag -o strokes.json");

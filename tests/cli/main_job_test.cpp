@@ -117,7 +117,7 @@ TEST(MainJob, ListsAreJsonWhenAskedFor) {
     };
     holds("formats", R"({"name":"trace","what":)");
     holds("settings", R"({"key":"trajectory.step","kind":"length","unit":"m","default":0.02,"low":)");
-    holds("settings", R"("default":"spiral","choices":["spiral","zigzag"],"meaning":)");
+    holds("settings", R"("default":"rings","choices":["rings","spiral","zigzag"],"meaning":)");
     holds("settings", R"("default":true,"meaning":)");
     const std::string all = holds("robots", R"("name":"plotter")"),
                       one = holds("robots turf", R"("name":"turf")");

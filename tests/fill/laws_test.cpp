@@ -8,7 +8,7 @@ namespace {
 using areas::with;
 
 TEST(FillLaws, NearlyAllIsRakedAndNothingOutside) {
-    for (Style style : {Style::spiral, Style::zigzag})
+    for (Style style : {Style::rings, Style::zigzag})
         for (const Region& region : areas::all()) {
             const auto account = areas::judged(region, fill_region(region, 0, "area", with(style)), 0.4);
             EXPECT_GT(account.coverage, 0.97);
@@ -17,7 +17,7 @@ TEST(FillLaws, NearlyAllIsRakedAndNothingOutside) {
 }
 
 TEST(FillLaws, TurnedAndMirroredAreasAreFilledAsWell) {
-    for (Style style : {Style::spiral, Style::zigzag})
+    for (Style style : {Style::rings, Style::zigzag})
         for (const Region& region : areas::all())
             for (const Affine& map : {shapes::turned, shapes::mirrored}) {
                 const Region other = shapes::moved({region}, map)[0];
@@ -28,7 +28,7 @@ TEST(FillLaws, TurnedAndMirroredAreasAreFilledAsWell) {
 }
 
 TEST(FillLaws, AScaledAreaWithAScaledRakeIsFilledTheSame) {
-    for (Style style : {Style::spiral, Style::zigzag})
+    for (Style style : {Style::rings, Style::zigzag})
         for (const Region& region : areas::all()) {
             const Region large = shapes::moved({region}, {8, 0, 0, 8, 0, 0})[0];
             Options options = with(style);
@@ -46,7 +46,7 @@ TEST(FillLaws, AScaledAreaWithAScaledRakeIsFilledTheSame) {
 TEST(FillLaws, RandomAreasWithHolesAreFilledWithoutSpill) {
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
         for (const Region& region : shapes::random_regions(seed))
-            for (Style style : {Style::spiral, Style::zigzag}) {
+            for (Style style : {Style::rings, Style::zigzag}) {
                 const Fill fill = fill_region(region, 0, "area", with(style));
                 EXPECT_TRUE(!fill.strokes.empty() || !fill.warnings.empty()) << seed;
                 if (inset({region}, 0.2).empty())
@@ -60,14 +60,14 @@ TEST(FillLaws, RandomAreasWithHolesAreFilledWithoutSpill) {
 }
 
 TEST(FillLaws, TheSameAreaGivesTheSameStrokes) {
-    for (Style style : {Style::spiral, Style::zigzag})
+    for (Style style : {Style::rings, Style::zigzag})
         for (const Region& region : areas::all())
             EXPECT_EQ(fill_region(region, 0, "area", with(style)).strokes,
                       fill_region(region, 0, "area", with(style)).strokes);
 }
 
 TEST(FillLaws, StrokesAreFillStrokesWithNodesAtTheirEnds) {
-    for (Style style : {Style::spiral, Style::zigzag}) {
+    for (Style style : {Style::rings, Style::zigzag}) {
         Options options = with(style);
         options.pins = 5;
         const Fill fill = fill_region(areas::two_holes(), 3, "area", options);
@@ -93,7 +93,7 @@ TEST(FillLaws, StrokesAreFillStrokesWithNodesAtTheirEnds) {
 }
 
 TEST(FillLaws, TheLastStrokeEndsOnTheBorder) {
-    for (Style style : {Style::spiral, Style::zigzag})
+    for (Style style : {Style::rings, Style::zigzag})
         for (const Region& region : areas::all()) {
             const Fill fill = fill_region(region, 0, "area", with(style));
             EXPECT_NEAR(distance_to_outline(region.outer, fill.strokes.back().nodes.back().at), 0.2, 0.01);
@@ -102,7 +102,7 @@ TEST(FillLaws, TheLastStrokeEndsOnTheBorder) {
 
 TEST(FillLaws, RakeUpWaysStayInside) {
     for (const Region& region : areas::all()) {
-        const Fill fill = fill_region(region, 0, "area", with(Style::spiral));
+        const Fill fill = fill_region(region, 0, "area", with(Style::rings));
         for (const Polyline& way : fill.ways)
             for (Point p : way) EXPECT_TRUE(contains(region, p));
     }

@@ -8,7 +8,7 @@ namespace {
 using areas::with;
 
 TEST(FillStyles, ASquareIsOneSpiralStroke) {
-    const Fill fill = fill_region(areas::square(), 0, "area", with(Style::spiral));
+    const Fill fill = fill_region(areas::square(), 0, "area", with(Style::rings));
     EXPECT_EQ(fill.strokes.size(), 1u);
     EXPECT_LT(fill.swept / fill.area, 1.03);
 }
@@ -16,7 +16,7 @@ TEST(FillStyles, ASquareIsOneSpiralStroke) {
 TEST(FillStyles, ARingIsFilledFromItsHoleOutwardsInOneStroke) {
     const Region ring =
         areas::of({shapes::square({0, 0}, 9.2), shapes::square({3.2, 3.2}, 2.8)});  // four rakes of 0.8
-    const Fill fill = fill_region(ring, 0, "area", {.style = Style::spiral, .width = 0.8, .spacing = 0.8});
+    const Fill fill = fill_region(ring, 0, "area", {.style = Style::rings, .width = 0.8, .spacing = 0.8});
     ASSERT_FALSE(fill.strokes.empty());
     const Point first = fill.strokes.front().nodes.front().at, last = fill.strokes.back().nodes.back().at;
     EXPECT_LT(distance_to_outline(ring.holes[0], first), distance_to_outline(ring.outer, first));
@@ -94,7 +94,7 @@ TEST(FillStyles, AnInsetOfThePartsLeavesSandBetweenThem) {
 }
 
 TEST(FillStyles, ATurnRadiusLeavesHardlyAnyCorners) {
-    Options options{.style = Style::spiral, .width = 0.4, .spacing = 0.4, .turn_radius = 0.25};
+    Options options{.style = Style::rings, .width = 0.4, .spacing = 0.4, .turn_radius = 0.25};
     const Fill round = fill_region(areas::letter_l(), 0, "area", options);
     options.turn_radius = 0;
     const Fill sharp = fill_region(areas::letter_l(), 0, "area", options);
@@ -113,7 +113,7 @@ TEST(FillStyles, ATurnRadiusLeavesHardlyAnyCorners) {
 }
 
 TEST(FillStyles, AnAreaNarrowerThanTheRakeIsOnePassWithAWarning) {
-    for (Style style : {Style::spiral, Style::zigzag}) {
+    for (Style style : {Style::rings, Style::zigzag}) {
         const Fill fill =
             fill_region(areas::of({{{0, 0}, {5, 0}, {5, 0.3}, {0, 0.3}}}), 0, "bar", with(style));
         ASSERT_EQ(fill.strokes.size(), 1u);

@@ -70,7 +70,7 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
     Fill fill;
     fill.area = area(region);
     std::vector<Pass> passes = options.style == Style::zigzag ? zigzag_passes(region, place, options, fill)
-                                                              : spiral_passes(region, place, options, fill);
+                                                              : ring_passes(region, place, options, fill);
     if (passes.empty()) passes = narrow_passes(region, place, options, fill);
     for (Pass& pass : passes) {
         fill.swept += length(pass.line) * options.width;

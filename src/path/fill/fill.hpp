@@ -1,6 +1,7 @@
 #pragma once
-// Regions -> strokes that rake them. Two styles now: zigzag (parallel lines) and spiral (from inset polygons,
-// inside to outside); both with holes. Rings come with the fill issue. Nothing is drawn in a hole. Metres.
+// Regions -> strokes that rake them. Three styles: rings (nested insets, inside to outside), spiral (one
+// continuous line of inset polygons) and zigzag (parallel lines); all with holes. Nothing is drawn in a hole.
+// Metres.
 #include <optional>
 #include <vector>
 
@@ -11,11 +12,15 @@
 
 namespace strandline::fill {
 
-enum class Style { zigzag, spiral };
+enum class Style { rings, spiral, zigzag };
 enum class Partition { none, monotone, optimal_convex };
+/// How a ring leads on to the next one (rings): by a step half a width before it closes; from wherever it
+/// ends to the nearest place of the next; the same with the sense turned at each ring; from the longest edge.
+enum class Join { half_step, nearest, alternating, longest_edge };
 
 struct Options {
-    Style style = Style::spiral;
+    Style style = Style::rings;
+    Join join = Join::half_step;
     double width = 0.42;    ///< rake width, metres
     double spacing = 0.40;  ///< metres between neighbouring passes, 0 < spacing <= width
     std::optional<double> direction =

@@ -9,8 +9,8 @@ namespace strandline::fill {
 struct Pass {
     Polyline way, line;
 };
-std::vector<Pass> spiral_passes(const Region& region, const std::string& place, const Options& options,
-                                Fill& account);
+std::vector<Pass> ring_passes(const Region& region, const std::string& place, const Options& options,
+                              Fill& account);
 std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, const Options& options,
                                 Fill& account);
 

@@ -59,7 +59,7 @@ struct Options {
         bool operator==(const Text&) const = default;
     } text;
     struct FillArea {                  // "fill.*"
-        std::string style = "spiral";  // spiral | zigzag
+        std::string style = "rings";  // rings | spiral | zigzag
         double spacing = 0, direction = 0;
         bool best_direction = true;
         std::string partition = "monotone";  // none | monotone | optimal-convex

@@ -249,7 +249,7 @@ std::vector<Setting> make_table() {
          Kind::choice,
          0,
          0,
-         {"spiral", "zigzag"},
+         {"rings", "spiral", "zigzag"},
          "--fill_method",
          [](Options& o) -> Field { return &o.fill.style; }},
         {"fill.spacing",

@@ -82,7 +82,9 @@ std::vector<Node> nodes_of(const LineElement& line, const std::vector<Curve>& cu
 fill::Options fill_options(const Options& options, const Robot& robot) {
     const Options::FillArea& f = options.fill;
     fill::Options o;
-    o.style = f.style == "zigzag" ? fill::Style::zigzag : fill::Style::spiral;
+    o.style = f.style == "zigzag"   ? fill::Style::zigzag
+              : f.style == "spiral" ? fill::Style::spiral
+                                    : fill::Style::rings;
     o.width = robot.rake_width();
     o.spacing = f.spacing > 0 ? std::min(f.spacing, o.width) : default_spacing * o.width;
     if (!f.best_direction) o.direction = f.direction;

@@ -1,4 +1,4 @@
-// The spiral: rings joined by radial steps, inside to outside.
+// Rings joined by radial steps, inside to outside.
 // Each ring stops half a width before it closes: what is left of it is swept by the step to the next ring.
 #include <algorithm>
 
@@ -152,8 +152,8 @@ std::vector<Chain> chains_of(const Order& order) {
 
 }  // namespace
 
-std::vector<Pass> spiral_passes(const Region& region, const std::string& place, const Options& options,
-                                Fill& account) {
+std::vector<Pass> ring_passes(const Region& region, const std::string& place, const Options& options,
+                              Fill& account) {
     const Regions room = room_for_centre(region, place, options, account);
     const std::vector<Ring> rings = rings_of(room, options);
     const Order order = driving_order(rings, options);
