@@ -52,6 +52,7 @@ int fill(const FillArguments& arguments, const Common& common) {
         options.pins = robot->pins;
     } else {
         options.rake_turns = false;  // may lift, pivot and back up for nothing
+        options.pivots = true;
     }
 
     const auto text = read_input(arguments.input);

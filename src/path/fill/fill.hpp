@@ -36,7 +36,8 @@ struct Options {
         true;  ///< bend passes by turn_radius here; false: whoever drives them rounds their corners
     bool rake_turns =
         true;  ///< zigzag: the rake stays down from line to line where that stays inside; false: it is lifted
-    int pins = 7;  ///< written into the strokes
+    bool pivots = false;  ///< the vehicle may lift, back up and turn on the spot anywhere: corners are cut
+    int pins = 7;         ///< written into the strokes
 };
 
 /// The fill of one region and its account.

@@ -1,0 +1,65 @@
+// Corners that a free vehicle cuts: on, up, and off again beside.
+#include "path/fill/corners.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace strandline::fill {
+namespace {
+
+constexpr double squarest = 0.11;  // |cos| of the turn: beyond, the round wedge of a turn on the spot wastes less
+constexpr double shortest_edge = 0.98;  // of the width: what is left of an edge after a cut at both its ends
+constexpr double least_gap = 0.004;     // of width^2: what a turn on the spot may leave when there are pins
+constexpr double longest_onward = 0.9;  // of the width: a longer way back would count as one over raked sand
+
+/// Without the points that lie on straight edges: an edge is as long as it looks.
+Polyline straightened(const Polyline& line) {
+    constexpr double least_turn = 1e-3;
+    Polyline kept{line.front()};
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        const Point in = line[i] - kept.back(), out = line[i + 1] - line[i];
+        if (std::abs(cross(in, out)) > least_turn * length(in) * length(out) || dot(in, out) < 0)
+            kept.push_back(line[i]);
+    }
+    kept.push_back(line.back());
+    return kept;
+}
+
+}  // namespace
+
+std::optional<Corner> cut_corner(Point before, Point corner, Point after, const Options& options) {
+    if (!options.pivots) return std::nullopt;
+    const double w = options.width;
+    const Point in = normalized(corner - before), out = normalized(after - corner);
+    const double cosine = dot(in, out), sine = std::abs(cross(in, out));
+    if (distance(before, corner) < shortest_edge * w || distance(corner, after) < shortest_edge * w)
+        return std::nullopt;
+    if (std::abs(cosine) < squarest)
+        return Corner{w / 2 * (1 - std::abs(cosine)) / sine, w / 2 * (1 - std::abs(cosine)) / sine};
+    return std::nullopt;
+}
+
+std::vector<Polyline> with_cut_corners(const Polyline& whole, bool closed, const Options& options) {
+    if (whole.size() < 2) return {};
+    if (!options.pivots) return {whole};
+    const Polyline line = straightened(whole);
+    std::vector<Polyline> passes;
+    const std::size_t n = line.size();
+    std::optional<Corner> seam;
+    if (closed && n > 3) seam = cut_corner(line[n - 2], line[0], line[1], options);
+    Polyline pass{seam ? line[0] + seam->ahead * normalized(line[1] - line[0]) : line[0]};
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+        const auto cut = cut_corner(line[i - 1], line[i], line[i + 1], options);
+        if (!cut) {
+            pass.push_back(line[i]);
+            continue;
+        }
+        pass.push_back(line[i] + cut->onward * normalized(line[i] - line[i - 1]));
+        passes.push_back(std::exchange(pass, {line[i] + cut->ahead * normalized(line[i + 1] - line[i])}));
+    }
+    pass.push_back(seam ? line[n - 1] + seam->onward * normalized(line[n - 1] - line[n - 2]) : line[n - 1]);
+    passes.push_back(std::move(pass));
+    return passes;
+}
+
+}  // namespace strandline::fill

@@ -1,0 +1,33 @@
+#pragma once
+// Private to the room: the area as a coarse raster. Which ring rakes which sand, where two rings lie side by
+// side, what is raked already, and the way over what is not.
+#include "path/fill/rings.hpp"
+
+namespace strandline::fill {
+
+/// Cells of a quarter of the rake's width over the area's box.
+struct Lattice {
+    Point origin;
+    double cell = 0;
+    int columns = 0, rows = 0;
+    std::vector<char> inside;           // of the area, by the cell's centre
+    std::vector<int> owner;             // the ring nearest to the cell's centre, within three quarters of a width; -1
+    std::vector<char> raked;
+};
+
+/// Side by side: the number of cell edges that two rings share. first < second; sorted.
+struct Contact {
+    int first = 0, second = 0, edges = 0;
+};
+
+/// O(cells + ring length / cell).
+Lattice lattice_of(const Region& region, const std::vector<Ring>& rings, const Options& options);
+std::vector<Contact> contacts(const Lattice& lattice);
+/// Marks what the rake covers on its way along a line.
+void rake(Lattice& lattice, const Polyline& line, const Options& options);
+/// The shortest way from a to b that keeps off raked sand and stays inside, where there is one: A* over the
+/// cells (Hart, Nilsson and Raphael 1968), eight neighbours, raked and outer cells at a price; then pulled
+/// tight. Both ends left out.
+Polyline way(const Lattice& lattice, Point from, Point to);
+
+}  // namespace strandline::fill
