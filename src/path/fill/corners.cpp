@@ -7,7 +7,8 @@
 namespace strandline::fill {
 namespace {
 
-constexpr double squarest = 0.11;  // |cos| of the turn: beyond, the round wedge of a turn on the spot wastes less
+constexpr double squarest =
+    0.11;  // |cos| of the turn: beyond, the round wedge of a turn on the spot wastes less
 constexpr double shortest_edge = 0.98;  // of the width: what is left of an edge after a cut at both its ends
 constexpr double least_gap = 0.004;     // of width^2: what a turn on the spot may leave when there are pins
 constexpr double longest_onward = 0.9;  // of the width: a longer way back would count as one over raked sand

@@ -2,9 +2,7 @@
 #include "path/fill/lattice.hpp"
 
 #include <algorithm>
-#include <array>
 #include <queue>
-#include <tuple>
 
 namespace strandline::fill {
 namespace {
@@ -178,8 +176,8 @@ Polyline way(const Lattice& l, Point from, Point to) {
                     continue;
                 const int next = here + dr * l.columns + dc;
                 const float step = dr != 0 && dc != 0 ? std::numbers::sqrt2_v<float> : 1.0F;
-                const float total = cost[static_cast<std::size_t>(here)] +
-                                    step * (price(l, here) + price(l, next)) / 2;
+                const float total =
+                    cost[static_cast<std::size_t>(here)] + step * (price(l, here) + price(l, next)) / 2;
                 if (total < cost[static_cast<std::size_t>(next)]) {
                     cost[static_cast<std::size_t>(next)] = total;
                     came[static_cast<std::size_t>(next)] = here;

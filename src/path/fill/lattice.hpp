@@ -10,8 +10,8 @@ struct Lattice {
     Point origin;
     double cell = 0;
     int columns = 0, rows = 0;
-    std::vector<char> inside;           // of the area, by the cell's centre
-    std::vector<int> owner;             // the ring nearest to the cell's centre, within three quarters of a width; -1
+    std::vector<char> inside;  // of the area, by the cell's centre
+    std::vector<int> owner;    // the ring nearest to the cell's centre, within three quarters of a width; -1
     std::vector<char> raked;
 };
 

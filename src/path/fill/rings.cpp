@@ -71,20 +71,6 @@ void add_spines(const Regions& gaps, const Regions& next, int level, const Optio
     }
 }
 
-bool neighbours(const Ring& a, const Ring& b, const Options& options) {
-    const int apart = std::abs(a.level - b.level);
-    if (apart > 1) return false;
-    // One level apart: a spacing, a little more for chords; across a ridge: up to twice that.
-    const double limit = (apart == 1 && a.closed && b.closed ? 1.06 : 1.98) * options.spacing;
-    if (!overlaps(grown(a.box, limit), b.box)) return false;
-    const auto any = [&](const Ring& from, const Ring& to) {
-        const Box reach = grown(to.box, limit);
-        return std::ranges::any_of(
-            from.line, [&](Point p) { return contains(reach, p) && nearest(to, p).distance < limit; });
-    };
-    return any(a, b) || any(b, a);
-}
-
 }  // namespace
 
 Ring ring_of(Polyline line, int level, bool closed) {
@@ -170,46 +156,6 @@ std::vector<Ring> rings_of(const Regions& room, const Options& options) {
         here = std::move(next);
     }
     return rings;
-}
-
-Order driving_order(const std::vector<Ring>& rings, const Options& options) {
-    const int n = static_cast<int>(rings.size());
-    std::vector<std::vector<int>> beside(rings.size());
-    for (int i = 0; i < n; ++i)
-        for (int j = i + 1; j < n; ++j)
-            if (neighbours(rings[i], rings[j], options)) {
-                beside[i].push_back(j);
-                beside[j].push_back(i);
-            }
-    Order order{{}, std::vector<int>(rings.size(), -1)};
-    std::vector<bool> peeled(rings.size(), false);
-    std::vector<int> peel;
-    const auto peel_from = [&](int root) {
-        std::vector<std::pair<int, int>> open{{root, -1}};  // ring, neighbour it was reached from
-        while (!open.empty()) {
-            const auto [ring, from] = open.back();
-            open.pop_back();
-            if (peeled[ring]) continue;
-            peeled[ring] = true;
-            order.parent[ring] = from;
-            peel.push_back(ring);
-            // The last pushed is peeled next: deeper rings before their likes across a ridge, spines first of
-            // all (they are ends).
-            std::vector<int> next = beside[ring];
-            std::ranges::stable_sort(next, [&](int a, int b) {
-                const auto rank = [&](int k) {
-                    return rings[k].closed ? (rings[k].level > rings[ring].level ? 1 : 0) : 2;
-                };
-                return rank(a) < rank(b);
-            });
-            for (int k : next)
-                if (!peeled[k]) open.emplace_back(k, ring);
-        }
-    };
-    for (int root = 0; root < n; ++root)  // rings come outermost first
-        if (!peeled[root]) peel_from(root);
-    order.rings.assign(peel.rbegin(), peel.rend());
-    return order;
 }
 
 }  // namespace strandline::fill

@@ -29,14 +29,4 @@ Polyline along(const Ring& ring, double from, double span);
 /// All rings and spines of an area, given as room_for_centre gives it.
 std::vector<Ring> rings_of(const Regions& room, const Options& options);
 
-/// The driving order: the reverse of a connected peel from the outside in. Depth first over neighbouring
-/// rings from the outermost one; reversed, so whatever is not raked yet is one connected piece that holds the
-/// way out.
-struct Order {
-    std::vector<int> rings;   // first raked first
-    std::vector<int> parent;  // by ring: the neighbour it leads on to, raked later; -1: ends a component
-};
-/// `limit`: rings nearer than that, one level apart or facing each other across a ridge, are neighbours.
-Order driving_order(const std::vector<Ring>& rings, const Options& options);
-
 }  // namespace strandline::fill
