@@ -77,6 +77,22 @@ class AreaIndex {
     std::vector<std::size_t> band_starts_, band_edges_;  ///< edges of band i: band_edges_[starts[i]..[i + 1])
 };
 
+/// The middle lines of an area: the centres of the discs that touch its outline twice or more (Blum 1967), as a
+/// graph. It reaches into every convex corner.
+struct MedialAxis {
+    struct Node {
+        Point at;
+        double radius = 0;  ///< metres to the outline
+    };
+    struct Edge {
+        int from = 0, to = 0;
+    };
+    std::vector<Node> nodes;
+    std::vector<Edge> edges;
+};
+/// From the Voronoi diagram of the edges. Curved pieces become chords of at most `step` metres. O(n log n).
+MedialAxis medial_axis(const Region& region, double step);
+
 /// Cut by a straight line through two points: parts on its left, then on its right.
 struct Halves {
     Regions left, right;

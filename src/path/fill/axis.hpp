@@ -1,0 +1,26 @@
+#pragma once
+// Private to the room: the middle lines of an area as paths.
+#include "math/region/region.hpp"
+#include "path/fill/fill.hpp"
+
+namespace strandline::fill {
+
+/// A middle line. At a junction of several the two that go on straightest are one path; others begin where
+/// the discs of that one end.
+struct AxisPath {
+    Polyline line;               // closed: first point not repeated
+    std::vector<double> radius;  // to the outline, at each point
+    bool closed = false;
+};
+/// Longest first. Branches that only reach into corners are left out, and the ends drawn on to the outline.
+/// An area about as long as wide gets one path along its longest edge. O(n log n).
+std::vector<AxisPath> axis_paths(const Region& area, const Options& options);
+
+/// Where a line through `from` along the unit vector `along` leaves the area, both ways: distances forward
+/// and backward; none when `from` is outside. O(corners).
+struct Reach {
+    double forward = 0, backward = 0;
+};
+std::optional<Reach> reach_from(const Region& area, Point from, Point along);
+
+}  // namespace strandline::fill

@@ -1,0 +1,103 @@
+// A narrow area raked across.
+#include "path/fill/comb.hpp"
+
+#include <algorithm>
+
+namespace strandline::fill {
+namespace {
+
+constexpr double tangent_over = 0.5;   // of the width, to both sides: the direction of the middle line
+constexpr double last_share = 0.1;     // of the width: less sand at a comb's end gets no further tooth
+constexpr double smallest_step = 0.7;  // of the width: where the area widens at once the next ends lie apart
+constexpr double shortest_tooth = 0.15;  // of the width
+// How far a tooth may reach, of the radius and of the width: not down a side branch.
+constexpr double reach_of_radius = 1.35, reach_of_width = 0.35;
+
+/// The path by arc length; open ones go straight on at both ends.
+class Spine {
+  public:
+    explicit Spine(const AxisPath& path) : line_(path.line), radius_(path.radius), closed_(path.closed) {
+        if (closed_) {
+            line_.push_back(line_.front());
+            radius_.push_back(radius_.front());
+        }
+        arcs_.push_back(0);
+        for (std::size_t i = 1; i < line_.size(); ++i)
+            arcs_.push_back(arcs_.back() + distance(line_[i - 1], line_[i]));
+    }
+    double length() const { return arcs_.back(); }
+    bool closed() const { return closed_; }
+    Point at(double s) const {
+        const auto [i, t] = place(s);
+        return between(line_[i], line_[i + 1], t);
+    }
+    double radius(double s) const {
+        const auto [i, t] = place(s);
+        return radius_[i] + std::clamp(t, 0.0, 1.0) * (radius_[i + 1] - radius_[i]);
+    }
+
+  private:
+    std::pair<std::size_t, double> place(double s) const {
+        if (closed_) {
+            s = std::fmod(s, length());
+            if (s < 0) s += length();
+        }
+        const auto after = std::ranges::upper_bound(arcs_, s);
+        std::size_t i = after == arcs_.begin() ? 0 : static_cast<std::size_t>(after - arcs_.begin()) - 1;
+        i = std::min(i, line_.size() - 2);
+        const double d = arcs_[i + 1] - arcs_[i];
+        return {i, d > 0 ? (s - arcs_[i]) / d : 0};
+    }
+    Polyline line_;
+    std::vector<double> radius_, arcs_;
+    bool closed_;
+};
+
+std::optional<Polyline> tooth_at(const Region& area, const Spine& spine, double s, double w) {
+    const Point t = normalized(spine.at(s + tangent_over * w) - spine.at(s - tangent_over * w));
+    const Point c = spine.at(s), n = left_normal(t);
+    const double most = reach_of_radius * spine.radius(s) + reach_of_width * w;
+    double up = 0, down = 0;
+    bool any = false;
+    for (double o : {-0.45, -0.2, 0.0, 0.2, 0.45})
+        if (const auto reach = reach_from(area, c + o * w * t, n)) {
+            up = std::max(up, std::min(most, reach->forward));
+            down = std::max(down, std::min(most, reach->backward));
+            any = true;
+        }
+    if (!any || up + down < shortest_tooth * w) return std::nullopt;
+    return Polyline{c - down * n, c + up * n};
+}
+
+}  // namespace
+
+std::vector<Comb> combs_of(const Region& area, const std::vector<AxisPath>& paths, const Options& options) {
+    const double w = options.width;
+    std::vector<Comb> combs;
+    for (const AxisPath& path : paths) {
+        const Spine spine(path);
+        Comb comb{path.line, {}};
+        const double end = spine.length() - (spine.closed() ? 0 : w / 2);
+        double s = spine.closed() ? 0 : std::min(w / 2, spine.length() / 2);
+        while (true) {
+            const auto tooth = tooth_at(area, spine, s, w);
+            if (tooth) comb.teeth.push_back(*tooth);
+            double step = w;
+            for (int i = 0; tooth && i < 3; ++i) {
+                const auto next = tooth_at(area, spine, s + step, w);
+                if (!next) break;
+                const double apart =
+                    std::max(distance((*tooth)[0], (*next)[0]), distance((*tooth)[1], (*next)[1]));
+                if (apart <= w) break;
+                step = std::max(smallest_step * w, step * w / apart);
+            }
+            const double left = end - s;
+            if (spine.closed() ? left < w * (1 + last_share) : left < last_share * w) break;
+            s = spine.closed() ? s + step : std::min(s + step, end);
+        }
+        if (!comb.teeth.empty()) combs.push_back(std::move(comb));
+    }
+    return combs;
+}
+
+}  // namespace strandline::fill
