@@ -1,7 +1,9 @@
 // `strandline fill POLYGON.json`: one polygon to strokes.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "arguments.hpp"
 #include "base/units/units.hpp"
@@ -18,6 +20,30 @@ Outcome<double> positive(const std::string& text, const std::string& option) {
     auto value = parse_length(text, option);
     if (value && !(*value > 0)) return fail(option, "must be above 0");
     return value;
+}
+
+/// Gaps beyond these are only counted, unless -v asks for all.
+constexpr std::size_t most_gaps_named = 3;
+
+void print_account(const fill::Account& account, std::size_t strokes, const FillArguments& arguments,
+                   const Common& common) {
+    if (common.json) {
+        // The strokes may be on their way to stdout: figures go where they do not.
+        fmt::print(arguments.output == "-" ? stderr : stdout, "{}", stages::write_account(account));
+        return;
+    }
+    fmt::print(stderr,
+               "{:.2f} % raked, {:.2f} % twice, {:.2f} % outside; raked length x width / area = {:.3f}\n"
+               "{} strokes, {} rake-up moves over a width, {} shorter; {} drives over finished sand ({:.3g})\n",
+               100 * account.coverage, 100 * account.overdraw, 100 * account.spill, account.ratio, strokes,
+               account.hops, account.pivots, account.drives_over, account.driven_over);
+    const std::size_t named =
+        common.verbose ? account.gaps.size() : std::min(most_gaps_named, account.gaps.size());
+    for (const fill::Gap& gap : std::span(account.gaps).first(named))
+        fmt::print(stderr, "bare: {:.3g} x {:.3g} near ({:.4g}, {:.4g})\n", gap.disc, gap.area / gap.disc,
+                   gap.at.x, gap.at.y);
+    if (named < account.gaps.size())
+        fmt::print(stderr, "bare: {} more (-v lists them)\n", account.gaps.size() - named);
 }
 
 }  // namespace
@@ -75,27 +101,28 @@ int fill(const FillArguments& arguments, const Common& common) {
     const Progress progress = console_progress(common.quiet);
     std::vector<Stroke> strokes;
     std::vector<Polyline> ways;
-    double area = 0, swept = 0;
     for (std::size_t i = 0; i < task->regions.size(); ++i) {
         progress.report("filling", static_cast<double>(i) / static_cast<double>(task->regions.size()));
         const std::string place =
             task->regions.size() == 1 ? arguments.input : fmt::format("{}, part {}", arguments.input, i + 1);
         fill::Fill filled = fill::fill_region(task->regions[i], 0, place, options);
         warn(filled.warnings, common.quiet);
-        area += filled.area;
-        swept += filled.swept;
         strokes.insert(strokes.end(), filled.strokes.begin(), filled.strokes.end());
         ways.insert(ways.end(), filled.ways.begin(), filled.ways.end());
     }
     progress.report("filling", 1);
     if (strokes.empty())
         return complain({arguments.input, "nothing of it can be raked", "use a narrower rake"}, bad_input);
-    const auto written = write_output(arguments.output,
-                                      stages::write_strokes(*task, *width, strokes, ways, options.tolerance));
+    const std::vector<fill::PinSpans> masks;
+    const std::vector<fill::Move> moves =
+        fill::moves_of(strokes, ways, masks, options.pins, options.tolerance);
+    const auto written = write_output(arguments.output, stages::write_moves(*task, *width, moves, {}));
     if (!written) return complain(written.error(), bad_input);
-    if (!common.quiet)
-        fmt::print(stderr, "{} strokes; raked length x width / area = {:.3f}\n", strokes.size(),
-                   swept / area);
+    if (common.json || !common.quiet) {
+        const fill::Account account =
+            fill::account_of(task->regions, moves, {.width = options.width, .pins = options.pins});
+        print_account(account, strokes.size(), arguments, common);
+    }
     return done;
 }
 

@@ -62,8 +62,9 @@ TEST(StageFill, StrokesComeBackInTheSameObjectWithTheMovesBetween) {
         stroke.rake_path = {straight({a, heading(b - a)}, distance(a, b))};
         return stroke;
     };
-    const std::string text = stages::write_strokes(
-        *task, 0.5, {line({0, 0}, {1, 0}), line({1, 2}, {0, 2}), line({0, 2}, {0, 3})}, {{}, {{2, 1}}}, 0.01);
+    const auto moves = fill::moves_of({line({0, 0}, {1, 0}), line({1, 2}, {0, 2}), line({0, 2}, {0, 3})},
+                                      {{}, {{2, 1}}}, {}, 7, 0.01);
+    const std::string text = stages::write_moves(*task, 0.5, moves, {});
     const json out = json::parse(text);
     EXPECT_EQ(out["name"], "x");
     EXPECT_EQ(out["width"], 0.5);

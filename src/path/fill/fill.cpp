@@ -77,6 +77,10 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
         fill.strokes.push_back(stroke_of(pass.line, element, options));
         fill.ways.push_back(std::move(pass.way));
     }
+    if (options.account)
+        fill.account =
+            account_of({region}, moves_of(fill.strokes, fill.ways, {}, options.pins, options.tolerance),
+                       {.width = options.width, .pins = options.pins});
     return fill;
 }
 

@@ -87,35 +87,43 @@ Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) 
     return task;
 }
 
-std::string write_strokes(const FillTask& task, double width, const std::vector<Stroke>& strokes,
-                          const std::vector<Polyline>& ways, double tolerance) {
+std::string write_moves(const FillTask& task, double width, const std::vector<fill::Move>& moves,
+                        std::optional<int> pins) {
     Json json = Json::parse(task.source);
     json["width"] = width;
     Json list = Json::array();
-    Point last;
-    for (std::size_t i = 0; i < strokes.size(); ++i) {
-        Polyline line;
-        for (const Curve& curve : strokes[i].rake_path) {
-            // A chord of length c leaves an arc of curvature k by k c^2 / 8; a straight curve needs its ends
-            // only.
-            const double bend = max_curvature(curve);
-            const double whole = length(curve);
-            const double step = bend > 0 ? std::min(whole, std::sqrt(8 * tolerance / bend)) : whole;
-            for (const CurvePoint& p : sampled(curve, std::max(step, 1e-9)))
-                if (line.empty() || distance(line.back(), p.pose.at) > 1e-9) line.push_back(p.pose.at);
+    for (const fill::Move& move : moves) {
+        Json item{{"pts", written(move.line)}, {"down", move.mask != 0}};
+        if (pins && move.mask != 0) {
+            std::string mask;  // leftmost pin first
+            for (int pin = *pins - 1; pin >= 0; --pin) mask += (move.mask >> pin & 1U) != 0 ? '1' : '0';
+            item["mask"] = mask;
         }
-        if (line.size() < 2) continue;
-        if (!list.empty()) {
-            Polyline way{last};
-            if (i < ways.size()) way.insert(way.end(), ways[i].begin(), ways[i].end());
-            way.push_back(line.front());
-            way = without_duplicates(way);
-            if (way.size() >= 2 && length(way) > 0) list.push_back({{"pts", written(way)}, {"down", false}});
-        }
-        last = line.back();
-        list.push_back({{"pts", written(line)}, {"down", true}});
+        list.push_back(std::move(item));
     }
     json["strokes"] = std::move(list);
+    return json.dump() + "\n";
+}
+
+std::string write_account(const fill::Account& account) {
+    Json gaps = Json::array();
+    for (const fill::Gap& gap : account.gaps)
+        gaps.push_back({{"at", {gap.at.x, gap.at.y}}, {"area", gap.area}, {"disc", gap.disc}});
+    const Json json{{"area", account.area},
+                    {"coverage", account.coverage},
+                    {"overdraw", account.overdraw},
+                    {"spill", account.spill},
+                    {"spill_reach", account.spill_reach},
+                    {"ratio", account.ratio},
+                    {"hops", account.hops},
+                    {"pivots", account.pivots},
+                    {"hops_length", account.hops_length},
+                    {"drives_over", account.drives_over},
+                    {"driven_over", account.driven_over},
+                    {"crisp_edge", account.crisp_edge},
+                    {"end_off_border", account.end_off_border},
+                    {"gaps", std::move(gaps)},
+                    {"cell", account.cell}};
     return json.dump() + "\n";
 }
 

@@ -30,10 +30,12 @@ struct FillTask {
     Warnings warnings;
 };
 Outcome<FillTask> read_polygon(std::string_view text, const std::string& place);
-/// Strokes flattened, rake-up moves between them written out with "down": false, along `ways` (as fill::Fill
-/// has them; may be shorter).
-std::string write_strokes(const FillTask& task, double width, const std::vector<Stroke>& strokes,
-                          const std::vector<Polyline>& ways, double tolerance);
+/// The input with the moves as its strokes; rake-up moves have "down": false. With `pins`, what is down has a
+/// "mask" of that many characters.
+std::string write_moves(const FillTask& task, double width, const std::vector<fill::Move>& moves,
+                        std::optional<int> pins);
+/// One JSON object, its keys as the fields of fill::Account.
+std::string write_account(const fill::Account& account);
 
 // ---- connect: one JSON object a line in, the same object with R, sigma and samples out
 struct PairDefaults {

@@ -1,0 +1,61 @@
+#include "path/fill/sand.hpp"
+
+#include <cmath>
+
+namespace strandline::fill {
+namespace {
+
+constexpr double most_cells = 8e6;  // some 100 MB of account, a second of work
+
+struct Crossed {
+    int row;
+    double x;
+};
+
+}  // namespace
+
+Lattice lattice_over(Box box, double cell) {
+    const double width = std::max(box.width(), cell), height = std::max(box.height(), cell);
+    const double least = std::max(std::sqrt(width * height / most_cells), std::max(width, height) / most_cells);
+    Lattice lattice{box.low, std::max(cell, least), 0, 0};
+    lattice.columns = static_cast<int>(width / lattice.cell) + 1;
+    lattice.rows = static_cast<int>(height / lattice.cell) + 1;
+    return lattice;
+}
+
+std::vector<Run> runs_inside(const Lattice& lattice, const Regions& regions) {
+    std::vector<Crossed> crossed;
+    const auto add = [&](const Polygon& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            Point a = lattice.in_cells(ring[i]), b = lattice.in_cells(ring[(i + 1) % ring.size()]);
+            if (a.y > b.y) std::swap(a, b);
+            const int end = ceiled(b.y, lattice.rows);
+            for (int row = ceiled(a.y, lattice.rows); row < end; ++row)
+                crossed.push_back({row, a.x + (b.x - a.x) * (row - a.y) / (b.y - a.y)});
+        }
+    };
+    for (const Region& region : regions) {
+        add(region.outer);
+        for (const Polygon& hole : region.holes) add(hole);
+    }
+    // By row (counted), then by place.
+    std::vector<std::size_t> starts(static_cast<std::size_t>(lattice.rows) + 1, 0);
+    for (const Crossed& c : crossed) ++starts[static_cast<std::size_t>(c.row) + 1];
+    for (std::size_t row = 1; row < starts.size(); ++row) starts[row] += starts[row - 1];
+    std::vector<double> places(crossed.size());
+    std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
+    for (const Crossed& c : crossed) places[next[static_cast<std::size_t>(c.row)]++] = c.x;
+    std::vector<Run> runs;
+    for (int row = 0; row < lattice.rows; ++row) {
+        const auto begin = places.begin() + static_cast<std::ptrdiff_t>(starts[static_cast<std::size_t>(row)]);
+        const auto end = places.begin() + static_cast<std::ptrdiff_t>(starts[static_cast<std::size_t>(row) + 1]);
+        std::sort(begin, end);
+        for (auto x = begin; x != end && x + 1 != end; x += 2) {
+            const Run run{row, ceiled(*x, lattice.columns), ceiled(*(x + 1), lattice.columns)};
+            if (run.first < run.end) runs.push_back(run);
+        }
+    }
+    return runs;
+}
+
+}  // namespace strandline::fill
