@@ -13,7 +13,8 @@ namespace strandline::fill {
 namespace {
 
 // In widths. A new pass is more than this much travel after the last one, so that the inside of a corner is
-// none; sand is finished, for a path that enters it, after a little more: a step to the next ring is half one.
+// none; sand is finished, for a path that enters it, after a little more: a step to the next ring is half
+// one.
 constexpr double pass_lag = 1.0, finished_lag = 1.5, least_stay = 0.75;
 constexpr double same_place = 1e-3, crisp = 0.1, outline_step = 0.1;
 constexpr float never = -std::numeric_limits<float>::infinity();
@@ -54,7 +55,8 @@ double rake(Painted& sand, const Lattice& lattice, const std::vector<Move>& move
             if (!(long_ > 0)) continue;
             const Point ahead = 1 / long_ * chord;
             const auto straight = [&](const Run& run) {
-                const double along = dot(Point{static_cast<double>(run.first), static_cast<double>(run.row)} - from, ahead);
+                const double along =
+                    dot(Point{static_cast<double>(run.first), static_cast<double>(run.row)} - from, ahead);
                 paint(sand, lattice.index(run.first, run.row), lattice.index(run.end, run.row),
                       static_cast<float>(arc + along), static_cast<float>(ahead.x), lag);
             };

@@ -70,21 +70,21 @@ struct Gap {
 /// What a fill leaves in the sand, from a simulation on a raster: a straight bar across the path with flat
 /// ends that pivots about the path's corners. Shares are of the area.
 struct Account {
-    double area = 0;         ///< m^2
-    double coverage = 0;     ///< share raked
-    double overdraw = 0;     ///< share raked again, more than a width of travel after it was last
-    double spill = 0;        ///< area raked outside / area
-    double spill_reach = 0;  ///< farthest raked sand from the area, metres
-    double ratio = 0;        ///< length x width of what is down / area
-    int hops = 0, pivots = 0;     ///< rake-up moves longer than a width, and shorter ones
-    double hops_length = 0;       ///< of both, metres
-    int drives_over = 0;          ///< times the path, rake up or down, enters sand raked more than 1.5 widths
-                                  ///< of travel before and stays for more than 0.75
-    double driven_over = 0;       ///< metres of path over such sand, short stays too
-    double crisp_edge = 0;        ///< share of the outline within 0.1 width of the raked edge
-    double end_off_border = 0;    ///< from the outside of the rake at the end to the outline, metres
-    std::vector<Gap> gaps;        ///< largest first
-    double cell = 0;              ///< of the raster, metres: figures are good to a few of them along edges
+    double area = 0;            ///< m^2
+    double coverage = 0;        ///< share raked
+    double overdraw = 0;        ///< share raked again, more than a width of travel after it was last
+    double spill = 0;           ///< area raked outside / area
+    double spill_reach = 0;     ///< farthest raked sand from the area, metres
+    double ratio = 0;           ///< length x width of what is down / area
+    int hops = 0, pivots = 0;   ///< rake-up moves longer than a width, and shorter ones
+    double hops_length = 0;     ///< of both, metres
+    int drives_over = 0;        ///< times the path, rake up or down, enters sand raked more than 1.5 widths
+                                ///< of travel before and stays for more than 0.75
+    double driven_over = 0;     ///< metres of path over such sand, short stays too
+    double crisp_edge = 0;      ///< share of the outline within 0.1 width of the raked edge
+    double end_off_border = 0;  ///< from the outside of the rake at the end to the outline, metres
+    std::vector<Gap> gaps;      ///< largest first
+    double cell = 0;            ///< of the raster, metres: figures are good to a few of them along edges
     bool operator==(const Account&) const = default;
 };
 
@@ -97,8 +97,8 @@ struct Fill {
     double area = 0;             ///< of the region, m^2
     double swept = 0;            ///< stroke length x width, m^2
     std::optional<Account> account;  ///< where options ask for it
-    int dropped_parts = 0;       ///< smaller than min_area or narrower than the rake
-    Warnings warnings;           ///< partition replaced, region narrower than the rake, ...
+    int dropped_parts = 0;           ///< smaller than min_area or narrower than the rake
+    Warnings warnings;               ///< partition replaced, region narrower than the rake, ...
 };
 
 /// Never fails: a region nothing fits into gives no strokes and a warning. `element` is written into the
@@ -112,11 +112,11 @@ std::vector<Move> moves_of(const std::vector<Stroke>& strokes, const std::vector
                            const std::vector<PinSpans>& masks, int pins, double tolerance);
 
 struct AccountOptions {
-    double width = 0.42;         ///< rake width, metres
-    int pins = 7;                ///< that a mask's bits stand for
-    double cell_share = 1 / 16.; ///< of the width: the raster's cells; coarser is faster
-    int most_gaps = 20;          ///< listed
-    double least_gap = 0.1;      ///< width: gaps no wider are not listed
+    double width = 0.42;          ///< rake width, metres
+    int pins = 7;                 ///< that a mask's bits stand for
+    double cell_share = 1 / 16.;  ///< of the width: the raster's cells; coarser is faster
+    int most_gaps = 20;           ///< listed
+    double least_gap = 0.1;       ///< width: gaps no wider are not listed
 };
 /// Judges a drive, first move to last. Areas of more than some eight million cells get larger ones. About
 /// 10 ns a cell of the area and its surroundings.

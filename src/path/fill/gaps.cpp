@@ -113,8 +113,9 @@ std::vector<Gap> gaps_of(const Lattice& lattice, std::span<const Run> inside,
         // From its centre to that of the first cell that is not bare: half a cell too much each way.
         const double disc = lattice.cell * (2 * std::sqrt(static_cast<double>(piece.reach)) - 1);
         if (piece.cells > 0 && disc > least)
-            gaps.push_back({lattice.in_metres({static_cast<double>(piece.at.x), static_cast<double>(piece.at.y)}),
-                            piece.cells * lattice.cell * lattice.cell, disc});
+            gaps.push_back(
+                {lattice.in_metres({static_cast<double>(piece.at.x), static_cast<double>(piece.at.y)}),
+                 piece.cells * lattice.cell * lattice.cell, disc});
     }
     std::ranges::stable_sort(gaps, std::greater{}, &Gap::area);
     return gaps;

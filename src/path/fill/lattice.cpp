@@ -107,16 +107,21 @@ Lattice lattice_of(const Region& region, const std::vector<Ring>& rings, const O
     mark_inside(l, region);
     std::vector<float> nearest_yet(cells, std::numeric_limits<float>::infinity());
     for (std::size_t r = 0; r < rings.size(); ++r) {
-        const Polyline& line = rings[r].line;
-        for (std::size_t i = rings[r].closed ? 0 : 1, j = rings[r].closed ? line.size() - 1 : 0;
-             i < line.size(); j = i++)
-            near_segment(l, line[j], line[i], owned_within * options.width, [&](int cell, double dd) {
+        const auto own = [&](Point a, Point b) {
+            near_segment(l, a, b, owned_within * options.width, [&](int cell, double dd) {
                 const auto c = static_cast<std::size_t>(cell);
                 if (l.inside[c] && static_cast<float>(dd) < nearest_yet[c]) {
                     nearest_yet[c] = static_cast<float>(dd);
                     l.owner[c] = static_cast<int>(r);
                 }
             });
+        };
+        const Polyline& line = rings[r].line;
+        for (const Polyline& tooth : rings[r].teeth) own(tooth.front(), tooth.back());
+        if (!rings[r].teeth.empty()) continue;
+        for (std::size_t i = rings[r].closed ? 0 : 1, j = rings[r].closed ? line.size() - 1 : 0;
+             i < line.size(); j = i++)
+            own(line[j], line[i]);
     }
     return l;
 }

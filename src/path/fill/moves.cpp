@@ -11,7 +11,8 @@ Track track_of(const std::vector<Curve>& curves, double tolerance) {
     Track track;
     double before = 0;
     for (const Curve& curve : curves) {
-        // A chord of length c leaves an arc of curvature k by k c^2 / 8; a straight curve needs its ends only.
+        // A chord of length c leaves an arc of curvature k by k c^2 / 8; a straight curve needs its ends
+        // only.
         const double bend = max_curvature(curve);
         const double whole = length(curve);
         const double step = bend > 0 ? std::min(whole, std::sqrt(8 * tolerance / bend)) : whole;

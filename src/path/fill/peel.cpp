@@ -118,7 +118,7 @@ std::vector<Pass> ring_passes(const Region& region, const std::string& place, co
                               Fill& account) {
     const Regions room = room_for_centre(region, place, options, account);
     if (room.empty()) return {};
-    const std::vector<Ring> rings = rings_of(room, options);
+    const std::vector<Ring> rings = rings_of(region, room, options);
     Lattice lattice = lattice_of(region, rings, options);
     const Tree tree = peel_tree(rings, neighbours_of(rings.size(), contacts(lattice)));
     std::vector<Pass> passes;

@@ -2,74 +2,130 @@
 #include "path/fill/rings.hpp"
 
 #include <algorithm>
+#include <iterator>
+
+#include "path/fill/comb.hpp"
+#include "path/fill/corners.hpp"
 
 namespace strandline::fill {
 namespace {
 
-// All of these are shares of the rake's width.
+// All of these are shares of the rake's width or its square.
 constexpr double thinnest_ring =
-    0.12;  // half the width of an area whose ring would be two passes over one place: a spine serves it
-constexpr double gap_margin = 0.02;  // gaps thinner than twice that are chords against arcs
-constexpr double gap_opening =
-    0.06;  // a gap that vanishes when shrunk by that is a corner's tip, not a ridge
-constexpr double core_share =
-    0.1;  // of width^2: a smaller gap in the middle of the innermost ring is not worth a pass
-constexpr double ridge_share = 0.6;    // of width^2: nor is one between rings; a 36 degree corner leaves 0.46
-constexpr double beside_gap = 0.6;     // half a width and a little: where a ring rakes beside a gap
-constexpr double widest_spine = 1.15;  // one pass serves a gap that is nowhere wider than that
-constexpr double spine_thinning = 0.03;  // the middle line of a jagged gap is not jagged
+    0.12;  // half the width of what a ring goes round: thinner, it is one place twice
+constexpr double gap_margin = 0.02;     // gaps thinner than twice that are chords against arcs
+constexpr double least_gap = 0.12;      // area: less in the middle of a ring is not worth a pass
+constexpr double least_neck = 0.3;      // area: nor is less beside a ring
+constexpr double tooth_price = 0.04;    // area that a tooth of a comb must save: each costs a lift
+constexpr double bare_price = 2;        // bare sand against sand raked twice
+constexpr double trial_cell = 1 / 8.0;  // the raster on which choices are tried
+constexpr double spine_thinning = 0.02;
+constexpr int most_trial_levels = 2;  // rings within a narrow place: with more the misfit is a small share
 constexpr int most_levels = 4000;
 
-/// The one ring in the middle of a ring-shaped gap.
-Polygon middle_ring(const Region& gap) {
-    double low = 0, high = std::max(bounds(gap).width(), bounds(gap).height());
-    Polygon best = gap.outer;
-    for (int i = 0; i < 12; ++i) {
-        const double by = (low + high) / 2;
-        const Regions thin = inset({gap}, by);
-        if (thin.size() == 1 && thin[0].holes.size() == gap.holes.size()) {
-            best = thin[0].outer;
-            low = by;
-        } else
-            high = by;
+/// Rings for one place, and how many levels of them lie within each other.
+struct Nest {
+    std::vector<Ring> rings;
+    int levels = 0;
+};
+
+/// What a choice leaves bare (at its price) and rakes twice or outside: square metres.
+double waste(const Region& place, const std::vector<Ring>& rings, const Options& options) {
+    const unsigned down = all_pins(1);
+    std::vector<Move> moves;
+    for (const Ring& ring : rings) {
+        if (!ring.teeth.empty()) {
+            for (const Polyline& tooth : ring.teeth) moves.push_back({tooth, down});
+            continue;
+        }
+        Polyline line = ring.line;
+        if (ring.closed) line.push_back(line.front());
+        for (Polyline& pass : with_cut_corners(line, ring.closed, options))
+            moves.push_back({std::move(pass), down});
     }
-    return best;
+    if (moves.empty()) return bare_price * area(place);
+    const Account account = account_of(
+        {place}, moves, {.width = options.width, .pins = 1, .cell_share = trial_cell, .most_gaps = 0});
+    return (bare_price * (1 - account.coverage) + account.overdraw + account.spill) * area(place);
 }
 
-void add_spines(const Regions& gaps, const Regions& next, int level, const Options& options,
-                std::vector<Ring>& rings) {
-    const double w = options.width;
-    std::vector<Ring> beside;
-    for (const Region& region : next) {
-        beside.push_back(ring_of(region.outer, level, true));
-        for (const Polygon& hole : region.holes) beside.push_back(ring_of(hole, level, true));
-    }
-    for (const Region& gap : inset(gaps, gap_opening * w)) {
-        const Regions whole = inset({gap}, -gap_opening * w);
-        if (area(whole) < core_share * w * w) continue;
-        // In the middle of an innermost ring nothing else comes near; elsewhere the next rings lie beside the
-        // gap.
-        const bool core = std::ranges::none_of(beside, [&](const Ring& ring) {
-            return overlaps(grown(ring.box, beside_gap * w), bounds(whole)) &&
-                   std::ranges::any_of(whole[0].outer, [&](Point p) {
-                       return contains(grown(ring.box, beside_gap * w), p) &&
-                              nearest(ring, p).distance < beside_gap * w;
-                   });
-        });
-        if (area(whole) < (core ? core_share : ridge_share) * w * w) continue;
-        for (const Region& part : whole) {
-            if (part.holes.size() == 1) {
-                rings.push_back(ring_of(middle_ring(part), level, true));
-                continue;
-            }
-            Polyline spine = thinned(middle_line(part.outer, widest_spine * w), spine_thinning * w);
-            if (part.holes.empty() && spine.size() >= 2)
-                rings.push_back(ring_of(std::move(spine), level, false));
-            else if (area(part) > w * w / 4)
-                rings.push_back(ring_of(part.outer, level, true));
-        }
-    }
+void append(std::vector<Ring>& rings, std::vector<Ring>&& more) {
+    rings.insert(rings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
+
+class Nesting {
+  public:
+    explicit Nesting(const Options& options) : options_(options), w_(options.width) {}
+
+    /// Rings along the outlines of `centre`, and what lies within them. `sand`: what they are to rake.
+    Nest ringed(const Regions& sand, const Regions& centre, int level) const {
+        Nest nest;
+        for (const Region& region : centre) {
+            nest.rings.push_back(ring_of(region.outer, level, true));
+            for (const Polygon& hole : region.holes) nest.rings.push_back(ring_of(hole, level, true));
+        }
+        if (!centre.empty()) nest.levels = 1;
+        if (level >= most_levels) return nest;
+        int deepest = 0;
+        const auto take = [&](Nest&& inner) {
+            deepest = std::max(deepest, inner.levels);
+            append(nest.rings, std::move(inner.rings));
+        };
+        for (const Region& rest : inset(centre, options_.spacing - w_ / 2, w_ / 200))
+            if (area(rest) > least_gap * w_ * w_) take(filled(rest, level + 1));
+        // Beside the rings: necks narrower than the rake, and corners.
+        const Regions raked = inset(centre, -(0.5 + gap_margin) * w_, w_ / 100);
+        if (area(sand) - area(intersected(sand, raked)) > least_neck * w_ * w_)
+            for (const Region& neck : subtracted(sand, raked))
+                if (area(neck) > least_neck * w_ * w_) take(filled(neck, level + 1));
+        nest.levels += deepest;
+        return nest;
+    }
+
+  private:
+    /// The best choice for sand that nothing outside of it rakes.
+    Nest filled(const Region& sand, int level) const {
+        const double thinning = std::min(options_.tolerance, w_ / 200);
+        Regions centre = simplified(inset({sand}, w_ / 2, w_ / 200), thinning);
+        std::erase_if(centre, [&](const Region& part) { return inset({part}, thinnest_ring * w_).empty(); });
+        Nest best;
+        if (!centre.empty()) best = ringed({sand}, centre, level);
+        if (best.levels > most_trial_levels) return best;
+        double least = waste(sand, best.rings, options_);
+        if (least < 0.02 * area(sand)) return best;
+        const std::vector<AxisPath> paths = axis_paths(sand, options_);
+        std::vector<Ring> spines, combs;
+        for (const AxisPath& path : paths)
+            if (centre.empty()) spines.push_back(ring_of(spine_of(path), level, path.closed));
+        if (options_.pivots)
+            for (Comb& comb : combs_of(sand, paths, options_)) {
+                combs.push_back(ring_of(std::move(comb.spine), level, false));
+                combs.back().teeth = std::move(comb.teeth);
+            }
+        const auto offer = [&](std::vector<Ring>&& rings, double price) {
+            if (rings.empty()) return;
+            if (const double its = waste(sand, rings, options_) + price; its < least) {
+                least = its;
+                best = {std::move(rings), 1};
+            }
+        };
+        offer(std::move(spines), 0);
+        std::size_t teeth = 0;
+        for (const Ring& comb : combs) teeth += comb.teeth.size();
+        offer(std::move(combs), tooth_price * w_ * w_ * static_cast<double>(teeth));
+        return best;
+    }
+
+    Polyline spine_of(const AxisPath& path) const {
+        Polyline line;
+        for (std::size_t i : strandline::thinned(path.line, spine_thinning * w_))
+            line.push_back(path.line[i]);
+        return line;
+    }
+
+    const Options& options_;
+    double w_;
+};
 
 }  // namespace
 
@@ -139,23 +195,9 @@ Point at(const Ring& ring, double s) {
     return d > 0 ? between(a, b, std::min(1.0, (s - ring.arcs[i]) / d)) : a;
 }
 
-std::vector<Ring> rings_of(const Regions& room, const Options& options) {
-    const double w = options.width, thinning = std::min(options.tolerance, w / 200);
-    std::vector<Ring> rings;
-    Regions here = simplified(room, thinning);
-    if (here.empty()) here = room;
-    for (int level = 0; level < most_levels && !here.empty(); ++level) {
-        for (const Region& region : here) {
-            rings.push_back(ring_of(region.outer, level, true));
-            for (const Polygon& hole : region.holes) rings.push_back(ring_of(hole, level, true));
-        }
-        Regions next = simplified(inset(here, options.spacing), thinning);
-        std::erase_if(next, [&](const Region& part) { return inset({part}, thinnest_ring * w).empty(); });
-        const Regions bare = inset(here, (0.5 + gap_margin) * w);
-        add_spines(subtracted(bare, inset(next, -(0.5 + gap_margin) * w)), next, level + 1, options, rings);
-        here = std::move(next);
-    }
-    return rings;
+std::vector<Ring> rings_of(const Region& region, const Regions& room, const Options& options) {
+    const Regions simple = simplified(room, std::min(options.tolerance, options.width / 200));
+    return Nesting(options).ringed({region}, simple.empty() ? room : simple, 0).rings;
 }
 
 }  // namespace strandline::fill

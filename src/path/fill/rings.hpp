@@ -5,14 +5,16 @@
 
 namespace strandline::fill {
 
-/// A closed ring at distance width/2 + level x spacing from the outline, or an open spine in a ridge gap.
+/// A closed ring at distance width/2 + level x spacing from the outline; or what serves a place too narrow
+/// for one: an open spine along it, or a comb of teeth across it.
 struct Ring {
-    Polyline line;  // closed: first point not repeated
+    Polyline line;  // closed: first point not repeated; of a comb, its spine
     int level = 0;
     bool closed = true;
     double length = 0;
     Box box;
-    std::vector<double> arcs;  // arc length at each point
+    std::vector<double> arcs;          // arc length at each point
+    std::vector<Polyline> teeth = {};  // of a comb, in order along its spine, side by side
 };
 Ring ring_of(Polyline line, int level, bool closed);
 struct Foot {
@@ -26,7 +28,9 @@ Point at(const Ring& ring, double s);
 /// ends.
 Polyline along(const Ring& ring, double from, double span);
 
-/// All rings and spines of an area, given as room_for_centre gives it.
-std::vector<Ring> rings_of(const Regions& room, const Options& options);
+/// All rings, spines and combs of an area, given as room_for_centre gives it: outermost first. Where insets
+/// leave less than about two widths between them, rings, a spine, a comb and nothing are tried on a raster,
+/// and what leaves least bare and rakes least twice is taken.
+std::vector<Ring> rings_of(const Region& region, const Regions& room, const Options& options);
 
 }  // namespace strandline::fill

@@ -16,7 +16,8 @@ struct Crossed {
 
 Lattice lattice_over(Box box, double cell) {
     const double width = std::max(box.width(), cell), height = std::max(box.height(), cell);
-    const double least = std::max(std::sqrt(width * height / most_cells), std::max(width, height) / most_cells);
+    const double least =
+        std::max(std::sqrt(width * height / most_cells), std::max(width, height) / most_cells);
     Lattice lattice{box.low, std::max(cell, least), 0, 0};
     lattice.columns = static_cast<int>(width / lattice.cell) + 1;
     lattice.rows = static_cast<int>(height / lattice.cell) + 1;
@@ -47,8 +48,10 @@ std::vector<Run> runs_inside(const Lattice& lattice, const Regions& regions) {
     for (const Crossed& c : crossed) places[next[static_cast<std::size_t>(c.row)]++] = c.x;
     std::vector<Run> runs;
     for (int row = 0; row < lattice.rows; ++row) {
-        const auto begin = places.begin() + static_cast<std::ptrdiff_t>(starts[static_cast<std::size_t>(row)]);
-        const auto end = places.begin() + static_cast<std::ptrdiff_t>(starts[static_cast<std::size_t>(row) + 1]);
+        const auto begin =
+            places.begin() + static_cast<std::ptrdiff_t>(starts[static_cast<std::size_t>(row)]);
+        const auto end =
+            places.begin() + static_cast<std::ptrdiff_t>(starts[static_cast<std::size_t>(row) + 1]);
         std::sort(begin, end);
         for (auto x = begin; x != end && x + 1 != end; x += 2) {
             const Run run{row, ceiled(*x, lattice.columns), ceiled(*(x + 1), lattice.columns)};

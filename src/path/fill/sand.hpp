@@ -16,12 +16,8 @@ struct Lattice {
     Point low;
     double cell = 1;
     int columns = 0, rows = 0;
-    Point in_cells(Point p) const {
-        return {(p.x - low.x) / cell - 0.5, (p.y - low.y) / cell - 0.5};
-    }
-    Point in_metres(Point p) const {
-        return {low.x + (p.x + 0.5) * cell, low.y + (p.y + 0.5) * cell};
-    }
+    Point in_cells(Point p) const { return {(p.x - low.x) / cell - 0.5, (p.y - low.y) / cell - 0.5}; }
+    Point in_metres(Point p) const { return {low.x + (p.x + 0.5) * cell, low.y + (p.y + 0.5) * cell}; }
     std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
     std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
@@ -58,10 +54,10 @@ void for_runs_in(const Lattice& lattice, const Swath& swath, What what) {
     const auto sloped = [](double t) { return std::abs(t) < 1e-12 ? 1e-12 : t; };
     const Point t = swath.ahead;
     const double along = 1 / sloped(t.x), across = -1 / sloped(t.y);
-    const double low = swath.from.y + std::min(0.0, swath.length * t.y) +
-                       std::min(swath.left * t.x, -swath.right * t.x);
-    const double high = swath.from.y + std::max(0.0, swath.length * t.y) +
-                        std::max(swath.left * t.x, -swath.right * t.x);
+    const double low =
+        swath.from.y + std::min(0.0, swath.length * t.y) + std::min(swath.left * t.x, -swath.right * t.x);
+    const double high =
+        swath.from.y + std::max(0.0, swath.length * t.y) + std::max(swath.left * t.x, -swath.right * t.x);
     const int end = ceiled(high + 1, lattice.rows);
     for (int row = ceiled(low - 1e-9, lattice.rows); row < end; ++row) {
         const double dy = row - swath.from.y;

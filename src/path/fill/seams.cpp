@@ -27,6 +27,7 @@ struct Place {
     bool corner = false;
     Point begin, end;  // of the passes
     double cost = 0;
+    bool flipped = false;
 };
 
 /// Turning of the ring within half a width about arc s, radians: a seam in a bend leaves a gap.
@@ -75,6 +76,17 @@ std::vector<double> beside(const Ring& ring, const Ring& next, const Options& op
 
 std::vector<Place> places_on(const Ring& ring, const Ring* next, const std::vector<Place>& before,
                              const Options& options) {
+    if (!ring.teeth.empty()) {
+        std::vector<Place> ends;
+        for (bool backward : {false, true})
+            for (bool flipped : {false, true}) {
+                const std::vector<Polyline> passes =
+                    passes_along(ring, {backward ? ring.length : 0, 0, false, false, flipped}, options);
+                ends.push_back({backward ? ring.length : 0, false, passes.front().front(),
+                                passes.back().back(), 0, flipped});
+            }
+        return ends;
+    }
     if (!ring.closed)
         return {{0, false, ring.line.front(), ring.line.back(), 0},
                 {ring.length, false, ring.line.back(), ring.line.front(), 0}};
@@ -94,7 +106,7 @@ std::vector<Place> places_on(const Ring& ring, const Ring* next, const std::vect
 }
 
 bool steps(const Ring& from, const Place& a, const Ring& to, const Place& b, const Options& options) {
-    if (a.corner || b.corner) return false;
+    if (a.corner || b.corner || !from.teeth.empty() || !to.teeth.empty()) return false;
     const double d = distance(a.end, b.begin);
     return d < (from.closed && to.closed ? near_next : longest_step) * options.spacing;
 }
@@ -139,7 +151,7 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
     for (std::size_t i = 0; i < n; ++i) {
         const Ring& ring = *chain[i];
         const Place& place = places[i][chosen[i]];
-        Seam seam{place.s, ring.length, place.corner, false};
+        Seam seam{place.s, ring.length, place.corner, false, place.flipped};
         const bool leaves_stepping =
             i + 1 < n && steps(ring, place, *chain[i + 1], places[i + 1][chosen[i + 1]], options);
         if (i > 0) seam.stepped = steps(*chain[i - 1], places[i - 1][chosen[i - 1]], ring, place, options);
@@ -169,6 +181,12 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
 }
 
 std::vector<Polyline> passes_along(const Ring& ring, const Seam& seam, const Options& options) {
+    if (!ring.teeth.empty()) {
+        std::vector<Polyline> teeth = ring.teeth;
+        if (seam.start > 0) std::ranges::reverse(teeth);
+        for (std::size_t i = seam.flipped ? 0 : 1; i < teeth.size(); i += 2) std::ranges::reverse(teeth[i]);
+        return teeth;
+    }
     Polyline line = along(ring, seam.start, seam.span);
     return with_cut_corners(line, seam.corner, options);
 }

@@ -9,6 +9,7 @@ struct Seam {
     double start = 0, span = 0;  // arc length; span < 0: against the ring's own sense
     bool corner = false;         // begun and ended at a corner that is cut
     bool stepped = false;        // reached with the rake down, by a step from the ring before
+    bool flipped = false;        // a comb whose first tooth is raked from its end
 };
 
 /// Seams for rings that lead on to each other, so that few of the joints between them are hops: the cheapest
