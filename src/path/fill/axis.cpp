@@ -9,9 +9,11 @@ namespace {
 // A branch that reaches beyond its junction's disc by less is a corner's: 0.41 of the radius at a right
 // corner.
 constexpr double corner_reach = 0.45;
-constexpr double least_reach = 0.35;  // of the width: nor is a shorter one worth a pass
-constexpr double axis_step = 0.2;     // of the width
-constexpr double tangent_over = 0.5;  // of the width: the end of a path points as it does over this
+constexpr double least_reach = 0.35;    // of the width: nor is a shorter one worth a pass
+constexpr double axis_step = 0.2;       // of the width
+constexpr double bend_tolerance = 0.5;  // of the width: corners of a path as it looks from afar
+constexpr double least_bend = 0.6;      // rad
+constexpr double tangent_over = 0.5;    // of the width: the end of a path points as it does over this
 
 struct Graph {
     const MedialAxis& axis;
@@ -263,6 +265,44 @@ std::vector<AxisPath> axis_paths(const Region& area, const Options& options) {
     std::ranges::stable_sort(
         paths, [](const AxisPath& a, const AxisPath& b) { return length(a.line) > length(b.line); });
     return paths;
+}
+
+std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const Region& area,
+                                      const Options& options) {
+    const double w = options.width;
+    std::vector<AxisPath> legs;
+    for (const AxisPath& path : paths) {
+        Polyline line = path.line;
+        std::vector<double> radius = path.radius;
+        if (path.closed) line.push_back(line.front()), radius.push_back(radius.front());
+        // The corners of the path as it looks from afar.
+        const std::vector<std::size_t> kept = strandline::thinned(line, bend_tolerance * w);
+        std::vector<std::size_t> bends{0};
+        for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
+            const Point in = line[kept[k]] - line[kept[k - 1]], out = line[kept[k + 1]] - line[kept[k]];
+            if (std::abs(std::atan2(cross(in, out), dot(in, out))) > least_bend) bends.push_back(kept[k]);
+        }
+        bends.push_back(line.size() - 1);
+        if (bends.size() == 2) {
+            legs.push_back(path);
+            continue;
+        }
+        for (std::size_t k = 1; k < bends.size(); ++k) {
+            const auto from = static_cast<std::ptrdiff_t>(bends[k - 1]),
+                       to = static_cast<std::ptrdiff_t>(bends[k] + 1);
+            AxisPath leg{{line.begin() + from, line.begin() + to},
+                         {radius.begin() + from, radius.begin() + to},
+                         false};
+            if (leg.line.size() < 2) continue;
+            if (k > 1 || path.closed) cut_start(leg);
+            if (leg.line.size() < 2) continue;
+            if (k + 1 < bends.size() || path.closed) {
+                draw_on(leg, area, w);
+            }
+            legs.push_back(std::move(leg));
+        }
+    }
+    return legs;
 }
 
 }  // namespace strandline::fill

@@ -16,6 +16,11 @@ struct AxisPath {
 /// An area about as long as wide gets one path along its longest edge. O(n log n).
 std::vector<AxisPath> axis_paths(const Region& area, const Options& options);
 
+/// The same paths, parted where they turn sharply: the straighter leg goes straight on to the outline, the
+/// next begins beside it.
+std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const Region& area,
+                                      const Options& options);
+
 /// Where a line through `from` along the unit vector `along` leaves the area, both ways: distances forward
 /// and backward; none when `from` is outside. O(corners).
 struct Reach {

@@ -9,6 +9,7 @@ namespace {
 constexpr double tangent_over = 0.5;   // of the width, to both sides: the direction of the middle line
 constexpr double last_share = 0.1;     // of the width: less sand at a comb's end gets no further tooth
 constexpr double smallest_step = 0.7;  // of the width: where the area widens at once the next ends lie apart
+constexpr int most_tries = 8;
 constexpr double shortest_tooth = 0.15;  // of the width
 // How far a tooth may reach, of the radius and of the width: not down a side branch.
 constexpr double reach_of_radius = 1.35, reach_of_width = 0.35;
@@ -69,6 +70,20 @@ std::optional<Polyline> tooth_at(const Region& area, const Spine& spine, double 
     return Polyline{c - down * n, c + up * n};
 }
 
+/// As far on as the next tooth's ends are within a width of this one's.
+double step_from(const Region& area, const Spine& spine, double s, const Polyline& tooth, double w) {
+    double step = w;
+    for (int i = 0; i < most_tries; ++i) {
+        const auto next = tooth_at(area, spine, s + step, w);
+        if (!next) return w;
+        const double apart = std::max(distance(tooth[0], (*next)[0]), distance(tooth[1], (*next)[1]));
+        if (apart <= w) return step;
+        if (step <= smallest_step * w) return w;  // the area widens at once: no step is small enough
+        step = std::max(smallest_step * w, step * std::min(w / apart, 0.995));
+    }
+    return step;
+}
+
 }  // namespace
 
 std::vector<Comb> combs_of(const Region& area, const std::vector<AxisPath>& paths, const Options& options) {
@@ -82,15 +97,7 @@ std::vector<Comb> combs_of(const Region& area, const std::vector<AxisPath>& path
         while (true) {
             const auto tooth = tooth_at(area, spine, s, w);
             if (tooth) comb.teeth.push_back(*tooth);
-            double step = w;
-            for (int i = 0; tooth && i < 3; ++i) {
-                const auto next = tooth_at(area, spine, s + step, w);
-                if (!next) break;
-                const double apart =
-                    std::max(distance((*tooth)[0], (*next)[0]), distance((*tooth)[1], (*next)[1]));
-                if (apart <= w) break;
-                step = std::max(smallest_step * w, step * w / apart);
-            }
+            const double step = tooth ? step_from(area, spine, s, *tooth, w) : w;
             const double left = end - s;
             if (spine.closed() ? left < w * (1 + last_share) : left < last_share * w) break;
             s = spine.closed() ? s + step : std::min(s + step, end);

@@ -153,6 +153,8 @@ void rake(Lattice& l, const Polyline& line, const Options& options) {
                      [&](int cell, double) { l.raked[static_cast<std::size_t>(cell)] = 1; });
 }
 
+bool is_raked(const Lattice& l, Point p) { return l.raked[static_cast<std::size_t>(index(l, p))] != 0; }
+
 Polyline way(const Lattice& l, Point from, Point to) {
     const double straight = distance(from, to);
     if (straight_cost(l, from, to) <= 1.001 * straight / l.cell) return {};

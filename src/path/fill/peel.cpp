@@ -11,6 +11,10 @@
 namespace strandline::fill {
 namespace {
 
+constexpr double off_raked =
+    0.045;                          // of the width: half the diagonal of the raster on which fills are judged
+constexpr double beyond_end = 0.3;  // of the width
+
 using Neighbours = std::vector<std::vector<Contact>>;  // by ring; `second` is the other one
 
 Neighbours neighbours_of(std::size_t rings, const std::vector<Contact>& contacts) {
@@ -112,6 +116,18 @@ std::vector<std::vector<int>> chains_of(const std::vector<Ring>& rings, const Tr
     return chains;
 }
 
+/// Teeth whose ends meet raked sand stop a hair before it: the way to the next one runs along those ends.
+void keep_off_raked(std::vector<Polyline>& teeth, const Lattice& lattice, double width) {
+    for (Polyline& tooth : teeth) {
+        const Point along = normalized(tooth.back() - tooth.front());
+        if (distance(tooth.front(), tooth.back()) < 4 * off_raked * width) continue;
+        const bool start = is_raked(lattice, tooth.front() - beyond_end * width * along);
+        const bool end = is_raked(lattice, tooth.back() + beyond_end * width * along);
+        if (start) tooth.front() = tooth.front() + off_raked * width * along;
+        if (end) tooth.back() = tooth.back() - off_raked * width * along;
+    }
+}
+
 }  // namespace
 
 std::vector<Pass> ring_passes(const Region& region, const std::string& place, const Options& options,
@@ -132,7 +148,9 @@ std::vector<Pass> ring_passes(const Region& region, const std::string& place, co
         const std::vector<Seam> seams = seams_of(chain, onward, here, options);
         for (std::size_t i = 0; i < chain.size(); ++i) {
             bool joined = seams[i].stepped;
-            for (Polyline& line : passes_along(*chain[i], seams[i], options)) {
+            std::vector<Polyline> lines = passes_along(*chain[i], seams[i], options);
+            if (!chain[i]->teeth.empty()) keep_off_raked(lines, lattice, options.width);
+            for (Polyline& line : lines) {
                 if (line.size() < 2) continue;
                 Polyline reach;
                 if (!joined && !passes.empty() &&

@@ -20,7 +20,7 @@ constexpr double tooth_price = 0.04;    // area that a tooth of a comb must save
 constexpr double bare_price = 2;        // bare sand against sand raked twice
 constexpr double trial_cell = 1 / 8.0;  // the raster on which choices are tried
 constexpr double spine_thinning = 0.02;
-constexpr int most_trial_levels = 2;  // rings within a narrow place: with more the misfit is a small share
+constexpr int most_trial_levels = 4;  // rings within a narrow place: with more the misfit is a small share
 constexpr int most_levels = 4000;
 
 /// Rings for one place, and how many levels of them lie within each other.
@@ -94,26 +94,34 @@ class Nesting {
         double least = waste(sand, best.rings, options_);
         if (least < 0.02 * area(sand)) return best;
         const std::vector<AxisPath> paths = axis_paths(sand, options_);
-        std::vector<Ring> spines, combs;
-        for (const AxisPath& path : paths)
-            if (centre.empty()) spines.push_back(ring_of(spine_of(path), level, path.closed));
-        if (options_.pivots)
-            for (Comb& comb : combs_of(sand, paths, options_)) {
-                combs.push_back(ring_of(std::move(comb.spine), level, false));
-                combs.back().teeth = std::move(comb.teeth);
-            }
-        const auto offer = [&](std::vector<Ring>&& rings, double price) {
+        const auto offer = [&](std::vector<Ring>&& rings) {
             if (rings.empty()) return;
-            if (const double its = waste(sand, rings, options_) + price; its < least) {
+            double its = waste(sand, rings, options_);
+            for (const Ring& ring : rings)
+                its += tooth_price * w_ * w_ * static_cast<double>(ring.teeth.size());
+            if (its < least) {
                 least = its;
                 best = {std::move(rings), 1};
             }
         };
-        offer(std::move(spines), 0);
-        std::size_t teeth = 0;
-        for (const Ring& comb : combs) teeth += comb.teeth.size();
-        offer(std::move(combs), tooth_price * w_ * w_ * static_cast<double>(teeth));
+        std::vector<Ring> spines;
+        for (const AxisPath& path : paths)
+            if (centre.empty()) spines.push_back(ring_of(spine_of(path), level, path.closed));
+        offer(std::move(spines));
+        if (!options_.pivots) return best;
+        offer(combed(sand, paths, level));
+        if (const auto legs = parted_at_bends(paths, sand, options_); legs.size() > paths.size())
+            offer(combed(sand, legs, level));
         return best;
+    }
+
+    std::vector<Ring> combed(const Region& sand, const std::vector<AxisPath>& paths, int level) const {
+        std::vector<Ring> rings;
+        for (Comb& comb : combs_of(sand, paths, options_)) {
+            rings.push_back(ring_of(std::move(comb.spine), level, false));
+            rings.back().teeth = std::move(comb.teeth);
+        }
+        return rings;
     }
 
     Polyline spine_of(const AxisPath& path) const {
