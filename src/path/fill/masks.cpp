@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "path/fill/pin_steps.hpp"
 
@@ -13,48 +14,41 @@ constexpr int samples_a_pin = 4;   // across; the cells are as large
 constexpr double step_cells = 1;   // longest step
 // What a cell under a pin is worth: unraked sand that nobody reaches later is 1.
 constexpr double again = -0.5;     // finished sand
-constexpr double outside = -3.0;   // beside the area
-constexpr double deferred = 0.3;   // unraked, and a later pass comes by
-constexpr double clean = 0.15;     // a later pass counts where no more than this share of the pin is outside
+constexpr double outside = -4.0;   // beside the area
+constexpr double deferred = -0.2;  // unraked, and a later pass comes by: left to the last, no path crosses it finished
 constexpr double pass_lag = 1.0;   // widths of travel after which sand is finished: as the account has it
 constexpr double least_blip = 0.05;  // widths: a pin is not moved for less
 constexpr double look_ahead = 0.35;  // widths: twice this must stay below pass_lag
 constexpr float never = -std::numeric_limits<float>::infinity();
 
 struct Sand {
-    std::vector<std::uint8_t> inside, visits;  // visits: that are still to come
-    std::vector<float> raked, visited;         // arc length, cells
+    float raked = never, visited = never;  // arc length, cells
+    std::uint8_t visits = 0;               // that are still to come
+    bool inside = false;
 };
 
-/// Values of the pins on a step, leftmost first.
+/// What a step is worth, by pin, leftmost first.
 using Values = std::array<float, 32>;
 
 class Masker {
   public:
     Masker(const Regions& regions, const Lattice& lattice, const Options& options)
         : lattice_(lattice), pins_(options.pins), pin_(options.width / options.pins / lattice.cell),
-          lag_(static_cast<float>(pass_lag * options.width / lattice.cell)) {
-        const std::size_t cells = lattice.size();
-        sand_ = {std::vector<std::uint8_t>(cells, 0), std::vector<std::uint8_t>(cells, 0),
-                 std::vector<float>(cells, never), std::vector<float>(cells, never)};
+          lag_(static_cast<float>(pass_lag * options.width / lattice.cell)), sand_(lattice.size()) {
         for (const Run& run : runs_inside(lattice, regions))
-            std::fill_n(sand_.inside.begin() + static_cast<std::ptrdiff_t>(lattice.index(run.first, run.row)),
-                        run.end - run.first, std::uint8_t{1});
-        for (unsigned mask = 0; pins_ <= 8 && mask <= all_pins(pins_); ++mask) bars_.push_back(bars(mask));
+            for (int column = run.first; column < run.end; ++column)
+                sand_[lattice.index(column, run.row)].inside = true;
     }
-
     /// Counts the visits that each cell will have, by pins that stay inside; gives their masks by step.
     std::vector<unsigned> foresee(const std::vector<PinStep>& steps);
+    void forget_visits() {
+        for (Sand& sand : sand_) sand.visited = never;
+    }
     PinSpans masks_of(const std::vector<PinStep>& steps, const std::vector<unsigned>& visitors);
-    void forget_visits() { std::ranges::fill(sand_.visited, never); }
 
   private:
-    std::vector<Bar> bars(unsigned mask) const {
-        if (mask < bars_.size()) return bars_[mask];
-        std::vector<Bar> made = bars_of(mask, pins_, pins_ * pin_);
-        return made;
-    }
-    /// what(pin, cell or none, weight) for sample points that tile the step's sand.
+    std::vector<Bar> bars(unsigned mask) const { return bars_of(mask, pins_, pins_ * pin_); }
+    /// what(pin, sand, weight) for sample points that tile the step's sand: each pin's next to each other.
     template <class What>
     void sample(const PinStep& step, What what) const;
     Values values(const PinStep& step) const;
@@ -65,29 +59,27 @@ class Masker {
     int pins_;
     double pin_;  // cells
     float lag_;
-    Sand sand_;
-    std::vector<std::vector<Bar>> bars_;
+    std::vector<Sand> sand_;
 };
 
 template <class What>
 void Masker::sample(const PinStep& step, What what) const {
-    const auto at = [&](int pin, Point p, double weight) {
-        const int column = static_cast<int>(p.x + 0.5), row = static_cast<int>(p.y + 0.5);
-        what(pin, lattice_.index(column, row), weight);
+    const auto at = [&](Point p) -> const Sand& {
+        return sand_[lattice_.index(static_cast<int>(p.x + 0.5), static_cast<int>(p.y + 0.5))];
     };
     const double left = pins_ * pin_ / 2, thin = pin_ / samples_a_pin;
-    const auto across = [&](Point middle, Point ahead, double weight) {
+    const auto across = [&](Point middle, Point ahead) {
         const Point aside = thin * left_normal(ahead);
         Point p = middle + (left / thin - 0.5) * aside;
         for (int pin = 0; pin < pins_; ++pin)
-            for (int k = 0; k < samples_a_pin; ++k, p = p - aside) at(pin, p, weight);
+            for (int k = 0; k < samples_a_pin; ++k, p = p - aside) what(pin, at(p), step.length * thin);
     };
     if (!step.corner) {
-        across(step.at + step.length / 2 * step.ahead, step.ahead, step.length * thin);
+        across(step.at + step.length / 2 * step.ahead, step.ahead);
         return;
     }
-    across(step.at - step.length / 2 * step.before, step.before, step.length * thin);
-    across(step.at + step.length / 2 * step.ahead, step.ahead, step.length * thin);
+    across(step.at - step.length / 2 * step.before, step.before);
+    across(step.at + step.length / 2 * step.ahead, step.ahead);
     const double turn = std::atan2(cross(step.before, step.ahead), dot(step.before, step.ahead));
     const double rays = std::max(1.0, std::ceil(std::abs(turn) * left));
     for (double ray = 0.5; ray < rays; ++ray) {
@@ -96,8 +88,8 @@ void Masker::sample(const PinStep& step, What what) const {
         for (int i = 0; i < pins_ * samples_a_pin; ++i) {
             const double offset = left - (i + 0.5) * thin;  // to the left
             if (offset * turn < 0)                          // a left turn sweeps the right
-                at(i / samples_a_pin, step.at + offset * side,
-                   std::abs(offset) * std::abs(turn) / rays * thin);
+                what(i / samples_a_pin, at(step.at + offset * side),
+                     std::abs(offset) * std::abs(turn) / rays * thin);
         }
     }
 }
@@ -105,13 +97,13 @@ void Masker::sample(const PinStep& step, What what) const {
 Values Masker::values(const PinStep& step) const {
     Values values{};
     const float finished = static_cast<float>(step.arc) - lag_;
-    sample(step, [&](int pin, std::size_t cell, double weight) {
+    sample(step, [&](int pin, const Sand& sand, double weight) {
         double worth = 0;
-        if (sand_.inside[cell] == 0)
+        if (!sand.inside)
             worth = outside;
-        else if (sand_.raked[cell] == never)
-            worth = sand_.visits[cell] > 0 ? deferred : 1;
-        else if (sand_.raked[cell] < finished)
+        else if (sand.raked == never)
+            worth = sand.visits > 0 ? deferred : 1;
+        else if (sand.raked < finished)
             worth = again;
         values[static_cast<std::size_t>(pin)] += static_cast<float>(worth * weight);
     });
@@ -123,9 +115,9 @@ void Masker::visit(const PinStep& step, unsigned mask, int change) {
         auto s = static_cast<float>(arc);
         for (std::size_t i = lattice_.index(run.first, run.row); i < lattice_.index(run.end, run.row);
              ++i, s += static_cast<float>(slope)) {
-            if (sand_.visited[i] < s - lag_)
-                sand_.visits[i] = static_cast<std::uint8_t>(sand_.visits[i] + change);
-            sand_.visited[i] = std::max(sand_.visited[i], s);
+            Sand& sand = sand_[i];
+            if (sand.visited < s - lag_) sand.visits = static_cast<std::uint8_t>(sand.visits + change);
+            sand.visited = std::max(sand.visited, s);
         }
     });
 }
@@ -135,36 +127,30 @@ void Masker::rake(const PinStep& step, unsigned mask) {
         auto s = static_cast<float>(arc);
         for (std::size_t i = lattice_.index(run.first, run.row); i < lattice_.index(run.end, run.row);
              ++i, s += static_cast<float>(slope))
-            sand_.raked[i] = std::max(sand_.raked[i], s);
+            sand_[i].raked = std::max(sand_[i].raked, s);
     });
 }
 
 std::vector<unsigned> Masker::foresee(const std::vector<PinStep>& steps) {
     std::vector<unsigned> visitors;
     for (const PinStep& step : steps) {
-        std::array<double, 32> out{}, all{};
-        sample(step, [&](int pin, std::size_t cell, double weight) {
-            const auto i = static_cast<std::size_t>(pin);
-            all[i] += weight;
-            if (sand_.inside[cell] == 0) out[i] += weight;
+        unsigned strays = 0;
+        sample(step, [&](int pin, const Sand& sand, double) {
+            if (!sand.inside) strays |= 1U << (pins_ - 1 - pin);
         });
-        unsigned mask = 0;
-        for (std::size_t pin = 0; pin < static_cast<std::size_t>(pins_); ++pin)
-            mask = mask << 1U | (out[pin] <= clean * all[pin] ? 1U : 0U);
-        visitors.push_back(mask);
-        visit(step, mask, 1);
+        visitors.push_back(all_pins(pins_) & ~strays);
     }
+    for_stretches(steps, visitors, 0, steps.size(),
+                  [&](const PinStep& stretch, unsigned mask) { visit(stretch, mask, 1); });
     return visitors;
 }
 
 /// The states of one pin that are worth most in sum, moves of the pin counted: dynamic programming over its
 /// two states.
-void decide(const std::vector<Values>& values, std::size_t pin, bool& down, float move, std::size_t settled,
-            std::vector<unsigned>& masks, unsigned bit) {
+void decide(const std::vector<Values>& values, std::size_t pin, bool& down, float move,
+            std::span<unsigned> masks, unsigned bit) {
     std::vector<std::array<bool, 2>> from(values.size());
     std::array<float, 2> best{down ? -move : 0.0F, down ? 0.0F : -move};
-    std::array<bool, 2> first{down, down};
-    (void)first;
     for (std::size_t k = 0; k < values.size(); ++k) {
         // best[state]: of everything before step k, in that state from k on.
         if (k > 0) {
@@ -175,8 +161,8 @@ void decide(const std::vector<Values>& values, std::size_t pin, bool& down, floa
     }
     bool state = best[1] > best[0];
     for (std::size_t k = values.size(); k-- > 0;) {
-        if (k < settled && state) masks[k] |= bit;
-        if (k + 1 == settled) down = state;
+        if (k < masks.size() && state) masks[k] |= bit;
+        if (k + 1 == masks.size()) down = state;
         if (k > 0) state = from[k][state ? 1 : 0];
     }
 }
@@ -187,27 +173,30 @@ PinSpans Masker::masks_of(const std::vector<PinStep>& steps, const std::vector<u
     std::vector<Values> values;  // of the steps that are not settled yet
     std::vector<bool> down(static_cast<std::size_t>(pins_), false);
     PinSpans spans;
-    std::size_t settled = 0;
+    std::vector<unsigned> masks(steps.size(), 0);
+    std::size_t settled = 0, visited = 0;
     const auto settle = [&](std::size_t count) {
-        std::vector<unsigned> masks(values.size(), 0);
         for (std::size_t pin = 0; pin < down.size(); ++pin) {
             bool state = down[pin];
-            decide(values, pin, state, move, count, masks, 1U << (down.size() - 1 - pin));
+            decide(values, pin, state, move, std::span(masks).subspan(settled, count),
+                   1U << (down.size() - 1 - pin));
             down[pin] = state;
         }
-        for (std::size_t k = 0; k < count; ++k) {
-            const PinStep& step = steps[settled + k];
-            if (masks[k] != 0) rake(step, masks[k]);
-            if (!spans.empty() && spans.back().mask == masks[k])
-                spans.back().to = step.to;
-            else
-                spans.push_back({step.from, step.to, masks[k]});
-        }
+        for_stretches(steps, masks, settled, settled + count,
+                      [&](const PinStep& stretch, unsigned mask) {
+                          rake(stretch, mask);
+                          if (!spans.empty() && spans.back().mask == mask)
+                              spans.back().to = stretch.to;
+                          else
+                              spans.push_back({stretch.from, stretch.to, mask});
+                      });
         settled += count;
         values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
     };
     for (std::size_t k = 0; k < steps.size(); ++k) {
-        visit(steps[k], visitors[k], -1);
+        if (k == visited)
+            visited = for_first_stretch(steps, visitors, k, steps.size(),
+                                        [&](const PinStep& s, unsigned mask) { visit(s, mask, -1); });
         values.push_back(this->values(steps[k]));
         if (steps[k].arc - steps[settled].arc < 2 * ahead) continue;
         std::size_t half = settled;

@@ -46,14 +46,14 @@ std::vector<std::vector<PinStep>> pin_steps(const std::vector<Track>& tracks,
             if (begin > 0) {
                 const Point before = normalized(chord(i - 1));
                 steps.push_back({track.arcs[i] - begin * metres, track.arcs[i] + begin * metres, arc - begin,
-                                 from, ahead, begin, before, true});
+                                 from, ahead, begin, before, true, false});
             }
             const double count = std::max(1.0, std::ceil((last - begin) / longest));
             const double step = (last - begin) / count;
             for (double k = 0; k < count; ++k) {
                 const double at = begin + k * step;
                 steps.push_back({track.arcs[i] + at * metres, track.arcs[i] + (at + step) * metres, arc + at,
-                                 from + at * ahead, ahead, step, {}, false});
+                                 from + at * ahead, ahead, step, {}, false, k > 0});
             }
             arc += whole;
         }

@@ -15,7 +15,28 @@ struct PinStep {
     double length = 0;        ///< a corner: on either side of it
     Point before;             ///< a corner: ahead before it
     bool corner = false;
+    bool follows = false;     ///< goes on straight from the step before it, on the same chord
 };
+
+/// Steps of one chord with one mask go as one: calls what(their stretch, mask) with those from `k` on, before
+/// `end`, and gives the number of the step after them.
+template <class What>
+std::size_t for_first_stretch(const std::vector<PinStep>& steps, const std::vector<unsigned>& masks,
+                              std::size_t k, std::size_t end, What what) {
+    PinStep stretch = steps[k];
+    const unsigned mask = masks[k];
+    for (++k; k < end && masks[k] == mask && steps[k].follows && !stretch.corner; ++k) {
+        stretch.length += steps[k].length;
+        stretch.to = steps[k].to;
+    }
+    what(stretch, mask);
+    return k;
+}
+template <class What>
+void for_stretches(const std::vector<PinStep>& steps, const std::vector<unsigned>& masks, std::size_t from,
+                   std::size_t end, What what) {
+    while (from < end) from = for_first_stretch(steps, masks, from, end, what);
+}
 
 /// The steps of each stroke, at most `longest` cells long.
 std::vector<std::vector<PinStep>> pin_steps(const std::vector<Track>& tracks,
