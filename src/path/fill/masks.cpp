@@ -47,6 +47,9 @@ class Masker {
     PinSpans masks_of(const std::vector<PinStep>& steps, const std::vector<unsigned>& visitors);
 
   private:
+    const Sand& at(Point p) const {
+        return sand_[lattice_.index(static_cast<int>(p.x + 0.5), static_cast<int>(p.y + 0.5))];
+    }
     std::vector<Bar> bars(unsigned mask) const { return bars_of(mask, pins_, pins_ * pin_); }
     /// what(pin, sand, weight) for sample points that tile the step's sand: each pin's next to each other.
     template <class What>
@@ -64,9 +67,6 @@ class Masker {
 
 template <class What>
 void Masker::sample(const PinStep& step, What what) const {
-    const auto at = [&](Point p) -> const Sand& {
-        return sand_[lattice_.index(static_cast<int>(p.x + 0.5), static_cast<int>(p.y + 0.5))];
-    };
     const double left = pins_ * pin_ / 2, thin = pin_ / samples_a_pin;
     const auto across = [&](Point middle, Point ahead) {
         const Point aside = thin * left_normal(ahead);
@@ -98,13 +98,9 @@ Values Masker::values(const PinStep& step) const {
     Values values{};
     const float finished = static_cast<float>(step.arc) - lag_;
     sample(step, [&](int pin, const Sand& sand, double weight) {
-        double worth = 0;
-        if (!sand.inside)
-            worth = outside;
-        else if (sand.raked == never)
-            worth = sand.visits > 0 ? deferred : 1;
-        else if (sand.raked < finished)
-            worth = again;
+        const double raked = sand.raked < finished ? again : 0;
+        const double fresh = sand.visits > 0 ? deferred : 1;
+        const double worth = !sand.inside ? outside : sand.raked == never ? fresh : raked;
         values[static_cast<std::size_t>(pin)] += static_cast<float>(worth * weight);
     });
     return values;
@@ -133,12 +129,20 @@ void Masker::rake(const PinStep& step, unsigned mask) {
 
 std::vector<unsigned> Masker::foresee(const std::vector<PinStep>& steps) {
     std::vector<unsigned> visitors;
+    const double half = pins_ * pin_ / 2;
     for (const PinStep& step : steps) {
-        unsigned strays = 0;
-        sample(step, [&](int pin, const Sand& sand, double) {
-            if (!sand.inside) strays |= 1U << (pins_ - 1 - pin);
-        });
-        visitors.push_back(all_pins(pins_) & ~strays);
+        // Looked at where pins meet, and just within the ends of the rake: a pin stays inside if both its
+        // sides do.
+        const Point left = left_normal(step.ahead), middle = step.at + step.length / 2 * step.ahead;
+        unsigned mask = 0;
+        bool before = false;
+        for (int side = 0; side <= pins_; ++side) {
+            const double offset = std::clamp(half - side * pin_, 0.5 - half, half - 0.5);
+            const bool inside = at(middle + offset * left).inside;
+            if (side > 0) mask = mask << 1U | (before && inside ? 1U : 0U);
+            before = inside;
+        }
+        visitors.push_back(mask);
     }
     for_stretches(steps, visitors, 0, steps.size(),
                   [&](const PinStep& stretch, unsigned mask) { visit(stretch, mask, 1); });
