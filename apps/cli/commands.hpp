@@ -78,6 +78,7 @@ int tour(const TourArguments& arguments, const Common& common);
 
 struct FillArguments {
     std::string input, output = "-", style = "rings", vehicle = "free", width, spacing;
+    std::optional<int> pins;  ///< liftable, with masks; absent: a solid rake
 };
 int fill(const FillArguments& arguments, const Common& common);
 

@@ -92,7 +92,10 @@ int fill(const FillArguments& arguments, const Common& common) {
             {arguments.input, "has no width, and the call neither", "give the rake's width by --width"},
             bad_call);
     options.width = *width;
-    options.spacing = spacing.value_or(*width);
+    if (arguments.pins) options.pins = *arguments.pins;
+    // Neighbouring passes share a pin, which the second one lifts: sand beside a bend is still reached.
+    const bool shared = arguments.pins && *arguments.pins > 1;
+    options.spacing = spacing.value_or(shared ? *width * (*arguments.pins - 1) / *arguments.pins : *width);
     if (options.spacing > options.width)
         return complain({"--spacing", "is wider than the rake", fmt::format("at most {}", *width)}, bad_call);
     options.min_area = 0;  // the file names the one area it wants filled
@@ -113,10 +116,11 @@ int fill(const FillArguments& arguments, const Common& common) {
     progress.report("filling", 1);
     if (strokes.empty())
         return complain({arguments.input, "nothing of it can be raked", "use a narrower rake"}, bad_input);
-    const std::vector<fill::PinSpans> masks;
+    std::vector<fill::PinSpans> masks;
+    if (arguments.pins) masks = fill::pin_masks(task->regions, strokes, ways, options);
     const std::vector<fill::Move> moves =
         fill::moves_of(strokes, ways, masks, options.pins, options.tolerance);
-    const auto written = write_output(arguments.output, stages::write_moves(*task, *width, moves, {}));
+    const auto written = write_output(arguments.output, stages::write_moves(*task, *width, moves, arguments.pins));
     if (!written) return complain(written.error(), bad_input);
     if (common.json || !common.quiet) {
         const fill::Account account =

@@ -159,6 +159,8 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     fill->add_option("--width", f.width, "rake width; overrides the file's");
     fill->add_option("--style", f.style, "rings, spiral or zigzag")->capture_default_str();
     fill->add_option("--spacing", f.spacing, "between neighbouring passes");
+    fill->add_option("--pins", f.pins, "the rake has this many pins that lift; strokes get masks")
+        ->check(CLI::Range(1, 32));
     fill->add_option("--vehicle", f.vehicle, "free (turns on the spot), or a robot")->capture_default_str();
     fill->footer("Example:\n  strandline fill letter.json --width 0.42 --style zigzag -o strokes.json");
     fill->callback([&] { chosen = [&] { return cli::fill(f, common); }; });

@@ -16,6 +16,7 @@ namespace {
 // none; sand is finished, for a path that enters it, after a little more: a step to the next ring is half
 // one.
 constexpr double pass_lag = 1.0, finished_lag = 1.5, least_stay = 0.75;
+constexpr Point off_centres{3e-3, 5e-3};  // cells
 constexpr double same_place = 1e-3, crisp = 0.1, outline_step = 0.1;
 constexpr float never = -std::numeric_limits<float>::infinity();
 
@@ -182,25 +183,27 @@ Account account_of(const Regions& regions, const std::vector<Move>& moves, const
     Box box = bounds(regions);
     for (const Move& move : moves)
         if (move.mask != 0) box = united(box, grown(bounds(move.line), options.width / 2));
-    const Lattice lattice = lattice_over(grown(box, options.width / 2), options.width * options.cell_share);
+    // A little off, so that edges a whole number of cells apart do not lie on centres: where the rake's edge is
+    // the outline, a centre is on the same side of both.
+    const double cell = options.width * options.cell_share;
+    box = grown(box, options.width);
+    box.low = box.low - cell * off_centres;
+    const Lattice lattice = lattice_over(box, cell);
     account.cell = lattice.cell;
 
     Painted sand(lattice.size());
     account.ratio = rake(sand, lattice, moves, options) * options.width / account.area;
     const std::vector<Run> inside = runs_inside(lattice, regions);
-    double covered = 0, raked = 0, again = 0;
+    double covered = 0, bare = 0, raked = 0, again = 0;
     for (const std::uint8_t passes : sand.passes) {
         raked += passes > 0 ? 1 : 0;
         again += passes > 1 ? passes - 1 : 0;
     }
-    double whole = 0;
-    for (const Run& run : inside) {
-        whole += run.end - run.first;
+    for (const Run& run : inside)
         for (std::size_t i = lattice.index(run.first, run.row); i < lattice.index(run.end, run.row); ++i)
-            covered += sand.passes[i] > 0 ? 1 : 0;
-    }
+            ++(sand.passes[i] > 0 ? covered : bare);
     const double cell_area = lattice.cell * lattice.cell;
-    account.coverage = whole > 0 ? covered / whole : 0;
+    account.coverage = std::max(0.0, 1 - bare * cell_area / account.area);
     account.overdraw = again * cell_area / account.area;
     account.spill = (raked - covered) * cell_area / account.area;
     if (raked > covered) account.spill_reach = lattice.cell * farthest_outside(lattice, inside, sand.passes);

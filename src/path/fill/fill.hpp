@@ -111,6 +111,13 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
 std::vector<Move> moves_of(const std::vector<Stroke>& strokes, const std::vector<Polyline>& ways,
                            const std::vector<PinSpans>& masks, int pins, double tolerance);
 
+/// For each stroke, in this order and along these ways, which of the `options.pins` pins are to be down: where
+/// sand under them is inside and not raked yet. Strokes may overlap and reach outside. A pin's width of
+/// stairs is left where an edge runs across the pins; neither raked twice nor bare for more. Of the options:
+/// width, pins, tolerance. About 20 ns a cell of w / (4 pins) that is driven over.
+std::vector<PinSpans> pin_masks(const Regions& regions, const std::vector<Stroke>& strokes,
+                                const std::vector<Polyline>& ways, const Options& options);
+
 struct AccountOptions {
     double width = 0.42;          ///< rake width, metres
     int pins = 7;                 ///< that a mask's bits stand for
