@@ -95,6 +95,7 @@ int fill(const FillArguments& arguments, const Common& common) {
     if (arguments.pins) options.pins = *arguments.pins;
     // Neighbouring passes share a pin, which the second one lifts: sand beside a bend is still reached.
     const bool shared = arguments.pins && *arguments.pins > 1;
+    options.masked = shared;
     options.spacing = spacing.value_or(shared ? *width * (*arguments.pins - 1) / *arguments.pins : *width);
     if (options.spacing > options.width)
         return complain({"--spacing", "is wider than the rake", fmt::format("at most {}", *width)}, bad_call);

@@ -183,8 +183,8 @@ Account account_of(const Regions& regions, const std::vector<Move>& moves, const
     Box box = bounds(regions);
     for (const Move& move : moves)
         if (move.mask != 0) box = united(box, grown(bounds(move.line), options.width / 2));
-    // A little off, so that edges a whole number of cells apart do not lie on centres: where the rake's edge is
-    // the outline, a centre is on the same side of both.
+    // A little off, so that edges a whole number of cells apart do not lie on centres: where the rake's edge
+    // is the outline, a centre is on the same side of both.
     const double cell = options.width * options.cell_share;
     box = grown(box, options.width);
     box.low = box.low - cell * off_centres;

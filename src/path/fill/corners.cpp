@@ -10,8 +10,9 @@ namespace {
 constexpr double squarest =
     0.11;  // |cos| of the turn: beyond, the round wedge of a turn on the spot wastes less
 constexpr double shortest_edge = 0.98;  // of the width: what is left of an edge after a cut at both its ends
-constexpr double least_gap = 0.004;     // of width^2: what a turn on the spot may leave when there are pins
-constexpr double longest_onward = 0.9;  // of the width: a longer way back would count as one over raked sand
+constexpr double shortest_masked = 0.25;  // the same where pins are lifted over raked sand
+constexpr double least_gap = 0.004;       // of width^2: what a turn on the spot may leave when there are pins
+constexpr double longest_move = 0.99;     // of the width, from the end of one pass to the start of the next
 
 /// Without the points that lie on straight edges: an edge is as long as it looks.
 Polyline straightened(const Polyline& line) {
@@ -33,6 +34,18 @@ std::optional<Corner> cut_corner(Point before, Point corner, Point after, const 
     const double w = options.width;
     const Point in = normalized(corner - before), out = normalized(after - corner);
     const double cosine = dot(in, out), sine = std::abs(cross(in, out));
+    if (options.masked) {
+        // A turn by t sweeps a wedge of t/2 (w/2)^2 of the tip, which has tan(t/2) (w/2)^2.
+        const double half = std::atan2(sine, cosine) / 2, tip = std::tan(half);
+        if (distance(before, corner) < shortest_masked * w || distance(corner, after) < shortest_masked * w ||
+            (tip - half) / 4 < least_gap)
+            return std::nullopt;
+        // The next pass starts where the first bar's inner end leaves it sand, and near enough to be no hop.
+        const double ahead = (1 - std::abs(cosine)) / sine / 2;
+        const double onward =
+            ahead * cosine + std::sqrt(longest_move * longest_move - ahead * ahead * (1 - cosine * cosine));
+        return Corner{w * std::min(tip / 2, onward), w * ahead};
+    }
     if (distance(before, corner) < shortest_edge * w || distance(corner, after) < shortest_edge * w)
         return std::nullopt;
     if (std::abs(cosine) < squarest)

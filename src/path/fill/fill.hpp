@@ -38,6 +38,7 @@ struct Options {
         true;  ///< zigzag: the rake stays down from line to line where that stays inside; false: it is lifted
     bool pivots = false;   ///< the vehicle may lift, back up and turn on the spot anywhere: corners are cut
     int pins = 7;          ///< written into the strokes
+    bool masked = false;   ///< pins are lifted over raked sand and outside: passes may overlap and overshoot
     bool account = false;  ///< judge the fill too: as dear as the fill itself
 };
 
@@ -111,8 +112,8 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
 std::vector<Move> moves_of(const std::vector<Stroke>& strokes, const std::vector<Polyline>& ways,
                            const std::vector<PinSpans>& masks, int pins, double tolerance);
 
-/// For each stroke, in this order and along these ways, which of the `options.pins` pins are to be down: where
-/// sand under them is inside and not raked yet. Strokes may overlap and reach outside. A pin's width of
+/// For each stroke, in this order and along these ways, which of the `options.pins` pins are to be down:
+/// where sand under them is inside and not raked yet. Strokes may overlap and reach outside. A pin's width of
 /// stairs is left where an edge runs across the pins; neither raked twice nor bare for more. Of the options:
 /// width, pins, tolerance. About 20 ns a cell of w / (4 pins) that is driven over.
 std::vector<PinSpans> pin_masks(const Regions& regions, const std::vector<Stroke>& strokes,

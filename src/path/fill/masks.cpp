@@ -10,13 +10,14 @@
 namespace strandline::fill {
 namespace {
 
-constexpr int samples_a_pin = 4;   // across; the cells are as large
-constexpr double step_cells = 1;   // longest step
+constexpr int samples_a_pin = 4;  // across; the cells are as large
+constexpr double step_cells = 1;  // longest step
 // What a cell under a pin is worth: unraked sand that nobody reaches later is 1.
-constexpr double again = -0.5;     // finished sand
-constexpr double outside = -4.0;   // beside the area
-constexpr double deferred = -0.2;  // unraked, and a later pass comes by: left to the last, no path crosses it finished
-constexpr double pass_lag = 1.0;   // widths of travel after which sand is finished: as the account has it
+constexpr double again = -0.5;    // finished sand
+constexpr double outside = -4.0;  // beside the area
+constexpr double deferred =
+    -0.2;  // unraked, and a later pass comes by: left to the last, no path crosses it finished
+constexpr double pass_lag = 1.0;     // widths of travel after which sand is finished: as the account has it
 constexpr double least_blip = 0.05;  // widths: a pin is not moved for less
 constexpr double look_ahead = 0.35;  // widths: twice this must stay below pass_lag
 constexpr float never = -std::numeric_limits<float>::infinity();
@@ -33,8 +34,11 @@ using Values = std::array<float, 32>;
 class Masker {
   public:
     Masker(const Regions& regions, const Lattice& lattice, const Options& options)
-        : lattice_(lattice), pins_(options.pins), pin_(options.width / options.pins / lattice.cell),
-          lag_(static_cast<float>(pass_lag * options.width / lattice.cell)), sand_(lattice.size()) {
+        : lattice_(lattice),
+          pins_(options.pins),
+          pin_(options.width / options.pins / lattice.cell),
+          lag_(static_cast<float>(pass_lag * options.width / lattice.cell)),
+          sand_(lattice.size()) {
         for (const Run& run : runs_inside(lattice, regions))
             for (int column = run.first; column < run.end; ++column)
                 sand_[lattice.index(column, run.row)].inside = true;
@@ -186,14 +190,13 @@ PinSpans Masker::masks_of(const std::vector<PinStep>& steps, const std::vector<u
                    1U << (down.size() - 1 - pin));
             down[pin] = state;
         }
-        for_stretches(steps, masks, settled, settled + count,
-                      [&](const PinStep& stretch, unsigned mask) {
-                          rake(stretch, mask);
-                          if (!spans.empty() && spans.back().mask == mask)
-                              spans.back().to = stretch.to;
-                          else
-                              spans.push_back({stretch.from, stretch.to, mask});
-                      });
+        for_stretches(steps, masks, settled, settled + count, [&](const PinStep& stretch, unsigned mask) {
+            rake(stretch, mask);
+            if (!spans.empty() && spans.back().mask == mask)
+                spans.back().to = stretch.to;
+            else
+                spans.push_back({stretch.from, stretch.to, mask});
+        });
         settled += count;
         values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
     };

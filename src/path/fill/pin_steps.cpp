@@ -52,8 +52,15 @@ std::vector<std::vector<PinStep>> pin_steps(const std::vector<Track>& tracks,
             const double step = (last - begin) / count;
             for (double k = 0; k < count; ++k) {
                 const double at = begin + k * step;
-                steps.push_back({track.arcs[i] + at * metres, track.arcs[i] + (at + step) * metres, arc + at,
-                                 from + at * ahead, ahead, step, {}, false, k > 0});
+                steps.push_back({track.arcs[i] + at * metres,
+                                 track.arcs[i] + (at + step) * metres,
+                                 arc + at,
+                                 from + at * ahead,
+                                 ahead,
+                                 step,
+                                 {},
+                                 false,
+                                 k > 0});
             }
             arc += whole;
         }

@@ -15,7 +15,7 @@ struct PinStep {
     double length = 0;        ///< a corner: on either side of it
     Point before;             ///< a corner: ahead before it
     bool corner = false;
-    bool follows = false;     ///< goes on straight from the step before it, on the same chord
+    bool follows = false;  ///< goes on straight from the step before it, on the same chord
 };
 
 /// Steps of one chord with one mask go as one: calls what(their stretch, mask) with those from `k` on, before

@@ -18,6 +18,7 @@ constexpr double least_gap = 0.12;      // area: less in the middle of a ring is
 constexpr double least_neck = 0.3;      // area: nor is less beside a ring
 constexpr double tooth_price = 0.04;    // area that a tooth of a comb must save: each costs a lift
 constexpr double bare_price = 2;        // bare sand against sand raked twice
+constexpr double masked_price = 0.1;    // a pass, when what it rakes twice is lifted over
 constexpr double trial_cell = 1 / 8.0;  // the raster on which choices are tried
 constexpr double spine_thinning = 0.02;
 constexpr int most_trial_levels = 4;  // rings within a narrow place: with more the misfit is a small share
@@ -46,7 +47,8 @@ double waste(const Region& place, const std::vector<Ring>& rings, const Options&
     if (moves.empty()) return bare_price * area(place);
     const Account account = account_of(
         {place}, moves, {.width = options.width, .pins = 1, .cell_share = trial_cell, .most_gaps = 0});
-    return (bare_price * (1 - account.coverage) + account.overdraw + account.spill) * area(place);
+    const double twice = options.masked ? masked_price * account.ratio : account.overdraw + account.spill;
+    return (bare_price * (1 - account.coverage) + twice) * area(place);
 }
 
 void append(std::vector<Ring>& rings, std::vector<Ring>&& more) {
@@ -108,7 +110,7 @@ class Nesting {
         for (const AxisPath& path : paths)
             if (centre.empty()) spines.push_back(ring_of(spine_of(path), level, path.closed));
         offer(std::move(spines));
-        if (!options_.pivots) return best;
+        if (!options_.pivots || options_.masked) return best;
         offer(combed(sand, paths, level));
         if (const auto legs = parted_at_bends(paths, sand, options_); legs.size() > paths.size())
             offer(combed(sand, legs, level));
