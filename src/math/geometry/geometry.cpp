@@ -133,6 +133,22 @@ std::vector<std::size_t> thinned(std::span<const Point> line, double tolerance) 
     return numbers;
 }
 
+Polygon thinned_outline(const Polygon& ring, double tolerance) {
+    const std::size_t n = ring.size();
+    if (n < 4) return ring;
+    std::size_t opposite = 0;
+    for (std::size_t i = 1; i < n; ++i)
+        if (distance(ring[0], ring[i]) > distance(ring[0], ring[opposite])) opposite = i;
+    Polygon round = ring;
+    round.push_back(ring[0]);
+    const std::span<const Point> chain(round);
+    Polygon rest;
+    for (const std::size_t i : thinned(chain.first(opposite + 1), tolerance)) rest.push_back(ring[i]);
+    const std::vector<std::size_t> back = thinned(chain.subspan(opposite), tolerance);
+    for (std::size_t k = 1; k + 1 < back.size(); ++k) rest.push_back(ring[opposite + back[k]]);
+    return rest;
+}
+
 Polyline slice(const Polyline& line, double from, double to) {
     Polyline part{point_at(line, from)};
     double arc = 0;

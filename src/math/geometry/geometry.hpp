@@ -105,6 +105,9 @@ Polygon without_duplicate_corners(const Polygon& polygon, double tolerance = 0);
 /// The numbers of the points that keep the line within `tolerance` of all of them, first and last among them:
 /// Douglas and Peucker (Cartographica 1973). O(n log n) typical, O(n^2) worst.
 std::vector<std::size_t> thinned(std::span<const Point> line, double tolerance);
+/// The outline thinned so, split at its first corner and the corner farthest from it. May come to touch
+/// itself.
+Polygon thinned_outline(const Polygon& outline, double tolerance);
 /// The part of a polyline between two arc lengths, 0 <= from <= to <= length.
 Polyline slice(const Polyline& line, double from, double to);
 Point point_at(const Polyline& line, double arc);

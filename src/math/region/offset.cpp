@@ -1,6 +1,5 @@
 // Insets, swept areas and simplifying.
 #include <algorithm>
-#include <span>
 
 #include "math/region/grid.hpp"
 
@@ -18,23 +17,6 @@ using ClipperLib::PolyTree;
 double arc_error(double radius, double asked) {
     const double r = std::abs(radius);
     return (asked > 0 ? std::min(asked, coarsest_arc * r) : r / arc_share) / rounding;
-}
-
-/// A ring is split at its first corner and the corner farthest from it.
-Polygon thinned_ring(const Polygon& ring, double tolerance) {
-    const std::size_t n = ring.size();
-    if (n < 4) return ring;
-    std::size_t opposite = 0;
-    for (std::size_t i = 1; i < n; ++i)
-        if (distance(ring[0], ring[i]) > distance(ring[0], ring[opposite])) opposite = i;
-    Polygon round = ring;
-    round.push_back(ring[0]);
-    const std::span<const Point> chain(round);
-    Polygon rest;
-    for (const std::size_t i : thinned(chain.first(opposite + 1), tolerance)) rest.push_back(ring[i]);
-    const std::vector<std::size_t> back = thinned(chain.subspan(opposite), tolerance);
-    for (std::size_t k = 1; k + 1 < back.size(); ++k) rest.push_back(ring[opposite + back[k]]);
-    return rest;
 }
 
 }  // namespace
@@ -56,9 +38,9 @@ Regions simplified(const Regions& regions, double tolerance) {
     std::vector<Polygon> outlines;
     for (const Region& region : regions) {
         if (area(region.outer) < tolerance * tolerance) continue;
-        outlines.push_back(thinned_ring(region.outer, tolerance));
+        outlines.push_back(thinned_outline(region.outer, tolerance));
         for (const Polygon& hole : region.holes)
-            if (area(hole) >= tolerance * tolerance) outlines.push_back(thinned_ring(hole, tolerance));
+            if (area(hole) >= tolerance * tolerance) outlines.push_back(thinned_outline(hole, tolerance));
     }
     Regions rest = resolved(outlines, FillRule::nonzero);  // thinning may make outlines touch or cross
     std::erase_if(rest, [&](const Region& region) { return area(region) < tolerance * tolerance; });

@@ -206,12 +206,13 @@ Account account_of(const Regions& regions, const std::vector<Move>& moves, const
     account.coverage = std::max(0.0, 1 - bare * cell_area / account.area);
     account.overdraw = again * cell_area / account.area;
     account.spill = (raked - covered) * cell_area / account.area;
-    if (raked > covered) account.spill_reach = lattice.cell * farthest_outside(lattice, inside, sand.passes);
     count_lifts(account, moves, options.width);
     count_drives_over(account, sand, lattice, moves, options.width);
-    account.crisp_edge = crisp_edge(regions, sand, lattice, options.width);
     if (!moves.empty())
         account.end_off_border = distance_to_outlines(regions, moves.back().line.back()) - options.width / 2;
+    if (!options.details) return account;
+    if (raked > covered) account.spill_reach = lattice.cell * farthest_outside(lattice, inside, sand.passes);
+    account.crisp_edge = crisp_edge(regions, sand, lattice, options.width);
     account.gaps = gaps_of(lattice, inside, sand.passes, options.least_gap * options.width);
     if (std::ssize(account.gaps) > options.most_gaps)
         account.gaps.resize(static_cast<std::size_t>(std::max(0, options.most_gaps)));

@@ -9,6 +9,7 @@ namespace {
 constexpr double tangent_over = 0.5;   // of the width, to both sides: the direction of the middle line
 constexpr double last_share = 0.1;     // of the width: less sand at a comb's end gets no further tooth
 constexpr double smallest_step = 0.7;  // of the width: where the area widens at once the next ends lie apart
+constexpr double widest_excess = 0.8;  // of the width: less than the ring outside is wide
 constexpr int most_tries = 8;
 constexpr double shortest_tooth = 0.15;  // of the width
 // How far a tooth may reach, of the radius and of the width: not down a side branch.
@@ -58,15 +59,19 @@ std::optional<Polyline> tooth_at(const Region& area, const Spine& spine, double 
     const Point t = normalized(spine.at(s + tangent_over * w) - spine.at(s - tangent_over * w));
     const Point c = spine.at(s), n = left_normal(t);
     const double most = reach_of_radius * spine.radius(s) + reach_of_width * w;
-    double up = 0, down = 0;
-    bool any = false;
-    for (double o : {-0.45, -0.2, 0.0, 0.2, 0.45})
-        if (const auto reach = reach_from(area, c + o * w * t, n)) {
-            up = std::max(up, std::min(most, reach->forward));
-            down = std::max(down, std::min(most, reach->backward));
-            any = true;
-        }
-    if (!any || up + down < shortest_tooth * w) return std::nullopt;
+    // As far as any of the sand before the bar does, but no part of it more than a width beyond its sand:
+    // there the ring outside of the area is.
+    double up = 0, down = 0, least_up = most, least_down = most;
+    for (double o : {-0.45, -0.2, 0.0, 0.2, 0.45}) {
+        const Reach reach = reach_from(area, c + o * w * t, n).value_or(Reach{});
+        up = std::max(up, std::min(most, reach.forward));
+        down = std::max(down, std::min(most, reach.backward));
+        least_up = std::min(least_up, reach.forward);
+        least_down = std::min(least_down, reach.backward);
+    }
+    up = std::min(up, least_up + widest_excess * w);
+    down = std::min(down, least_down + widest_excess * w);
+    if (up + down < shortest_tooth * w) return std::nullopt;
     return Polyline{c - down * n, c + up * n};
 }
 

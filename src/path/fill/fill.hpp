@@ -123,6 +123,7 @@ struct AccountOptions {
     double width = 0.42;          ///< rake width, metres
     int pins = 7;                 ///< that a mask's bits stand for
     double cell_share = 1 / 16.;  ///< of the width: the raster's cells; coarser is faster
+    bool details = true;          ///< gaps, the outline and the reach of spill too
     int most_gaps = 20;           ///< listed
     double least_gap = 0.1;       ///< width: gaps no wider are not listed
 };

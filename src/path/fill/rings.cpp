@@ -13,10 +13,16 @@ namespace {
 // All of these are shares of the rake's width or its square.
 constexpr double thinnest_ring =
     0.12;  // half the width of what a ring goes round: thinner, it is one place twice
-constexpr double gap_margin = 0.02;     // gaps thinner than twice that are chords against arcs
-constexpr double least_gap = 0.12;      // area: less in the middle of a ring is not worth a pass
-constexpr double least_neck = 0.3;      // area: nor is less beside a ring
-constexpr double tooth_price = 0.04;    // area that a tooth of a comb must save: each costs a lift
+constexpr double gap_margin = 0.02;   // gaps thinner than twice that are chords against arcs
+constexpr double least_gap = 0.12;    // area: less in the middle of a ring is not worth a pass
+constexpr double least_neck = 0.3;    // area: nor is less beside a ring
+constexpr double tooth_price = 0.04;  // area that a tooth of a comb must save: each costs a lift
+constexpr double neck_margin = 0.05;  // area beyond what mitred corners explain: there is a neck
+constexpr double longest_tip = 1.2;   // of (width / 2)^2: the tip of a corner of 45 degrees
+constexpr double fine = 200,
+                 coarse = 50;  // widths a tolerance: outlines are thinned, of very rough areas more
+constexpr std::size_t many_corners = 1000;
+constexpr double axis_thinning = 0.03;
 constexpr double bare_price = 2;        // bare sand against sand raked twice
 constexpr double masked_price = 0.1;    // a pass, when what it rakes twice is lifted over
 constexpr double trial_cell = 1 / 8.0;  // the raster on which choices are tried
@@ -46,7 +52,7 @@ double waste(const Region& place, const std::vector<Ring>& rings, const Options&
     }
     if (moves.empty()) return bare_price * area(place);
     const Account account = account_of(
-        {place}, moves, {.width = options.width, .pins = 1, .cell_share = trial_cell, .most_gaps = 0});
+        {place}, moves, {.width = options.width, .pins = 1, .cell_share = trial_cell, .details = false});
     const double twice = options.masked ? masked_price * account.ratio : account.overdraw + account.spill;
     return (bare_price * (1 - account.coverage) + twice) * area(place);
 }
@@ -57,7 +63,8 @@ void append(std::vector<Ring>& rings, std::vector<Ring>&& more) {
 
 class Nesting {
   public:
-    explicit Nesting(const Options& options) : options_(options), w_(options.width) {}
+    Nesting(const Options& options, double thinning)
+        : options_(options), w_(options.width), thinning_(thinning) {}
 
     /// Rings along the outlines of `centre`, and what lies within them. `sand`: what they are to rake.
     Nest ringed(const Regions& sand, const Regions& centre, int level) const {
@@ -76,26 +83,63 @@ class Nesting {
         for (const Region& rest : inset(centre, options_.spacing - w_ / 2, w_ / 200))
             if (area(rest) > least_gap * w_ * w_) take(filled(rest, level + 1));
         // Beside the rings: necks narrower than the rake, and corners.
-        const Regions raked = inset(centre, -(0.5 + gap_margin) * w_, w_ / 100);
-        if (area(sand) - area(intersected(sand, raked)) > least_neck * w_ * w_)
+        // At the outline itself nothing fits there: what is served there is narrower than the rake.
+        if (level > 0 && area(sand) - reached(centre) > neck_margin * w_ * w_) {
+            const Regions raked = inset(centre, -(0.5 + gap_margin) * w_, w_ / 100);
             for (const Region& neck : subtracted(sand, raked))
                 if (area(neck) > least_neck * w_ * w_) take(filled(neck, level + 1));
+        }
         nest.levels += deepest;
         return nest;
     }
 
   private:
+    /// Where the rake's centre goes in sand that is raked by rings.
+    Regions centre_of(const Region& sand) const {
+        Regions centre = inset({sand}, w_ / 2, w_ / 100);
+        for (Region& part : centre) {
+            part.outer = thinned_outline(part.outer, thinning_);
+            for (Polygon& hole : part.holes) hole = thinned_outline(hole, thinning_);
+        }
+        std::erase_if(centre, [&](const Region& part) {
+            double round = perimeter(part.outer);
+            for (const Polygon& hole : part.holes) round += perimeter(hole);
+            // The widest disc's radius is at least area / perimeter.
+            return area(part) < thinnest_ring * w_ * round && inset({part}, thinnest_ring * w_).empty();
+        });
+        return centre;
+    }
+
+    /// The sand that rings along these outlines would reach if corners were raked to their tips, but for the
+    /// tips of sharp ones: Steiner's formula for the parallel outline at half a width, with mitres.
+    double reached(const Regions& centre) const {
+        double sum = area(centre), turns = 0;
+        const auto add = [&](const Polygon& ring) {
+            sum += perimeter(ring) * w_ / 2;
+            for (std::size_t n = ring.size(), i = 0; i < n; ++i) {
+                const Point in = ring[i] - ring[(i + n - 1) % n], out = ring[(i + 1) % n] - ring[i];
+                const double half = std::atan2(cross(in, out), dot(in, out)) / 2;
+                turns += std::min(std::tan(half), half + longest_tip);
+            }
+        };
+        for (const Region& region : centre) {
+            add(region.outer);
+            for (const Polygon& hole : region.holes) add(hole);
+        }
+        return sum + turns * w_ * w_ / 4;
+    }
+
     /// The best choice for sand that nothing outside of it rakes.
     Nest filled(const Region& sand, int level) const {
-        const double thinning = std::min(options_.tolerance, w_ / 200);
-        Regions centre = simplified(inset({sand}, w_ / 2, w_ / 200), thinning);
-        std::erase_if(centre, [&](const Region& part) { return inset({part}, thinnest_ring * w_).empty(); });
+        const Regions centre = centre_of(sand);
         Nest best;
         if (!centre.empty()) best = ringed({sand}, centre, level);
         if (best.levels > most_trial_levels) return best;
         double least = waste(sand, best.rings, options_);
         if (least < 0.02 * area(sand)) return best;
-        const std::vector<AxisPath> paths = axis_paths(sand, options_);
+        const Regions plain = simplified({sand}, axis_thinning * w_);
+        if (plain.empty()) return best;
+        const std::vector<AxisPath> paths = axis_paths(plain[0], options_);
         const auto offer = [&](std::vector<Ring>&& rings) {
             if (rings.empty()) return;
             double its = waste(sand, rings, options_);
@@ -111,9 +155,9 @@ class Nesting {
             if (centre.empty()) spines.push_back(ring_of(spine_of(path), level, path.closed));
         offer(std::move(spines));
         if (!options_.pivots || options_.masked) return best;
-        offer(combed(sand, paths, level));
-        if (const auto legs = parted_at_bends(paths, sand, options_); legs.size() > paths.size())
-            offer(combed(sand, legs, level));
+        offer(combed(plain[0], paths, level));
+        if (const auto legs = parted_at_bends(paths, plain[0], options_); legs.size() > paths.size())
+            offer(combed(plain[0], legs, level));
         return best;
     }
 
@@ -134,7 +178,7 @@ class Nesting {
     }
 
     const Options& options_;
-    double w_;
+    double w_, thinning_;
 };
 
 }  // namespace
@@ -206,8 +250,18 @@ Point at(const Ring& ring, double s) {
 }
 
 std::vector<Ring> rings_of(const Region& region, const Regions& room, const Options& options) {
-    const Regions simple = simplified(room, std::min(options.tolerance, options.width / 200));
-    return Nesting(options).ringed({region}, simple.empty() ? room : simple, 0).rings;
+    Regions border = room;
+    std::size_t corners = 0;
+    for (Region& part : border) {
+        part.outer = thinned_outline(part.outer, options.width / fine);
+        corners += part.outer.size();
+        for (Polygon& hole : part.holes) {
+            hole = thinned_outline(hole, options.width / fine);
+            corners += hole.size();
+        }
+    }
+    const double thinning = options.width / (corners > many_corners ? coarse : fine);
+    return Nesting(options, thinning).ringed({region}, border, 0).rings;
 }
 
 }  // namespace strandline::fill

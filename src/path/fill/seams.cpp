@@ -53,6 +53,18 @@ std::vector<Place> corners_of(const Ring& ring, const Options& options) {
     return found;
 }
 
+double middle_of_longest_edge(const Ring& ring) {
+    double middle = 0, longest = 0;
+    for (std::size_t i = 0; i < ring.line.size(); ++i) {
+        const double end = i + 1 < ring.line.size() ? ring.arcs[i + 1] : ring.length;
+        if (end - ring.arcs[i] > longest * (1 + 1e-9)) {
+            longest = end - ring.arcs[i];
+            middle = (ring.arcs[i] + end) / 2;
+        }
+    }
+    return middle;
+}
+
 /// Places spread over where the ring runs beside the next; none when it does so all round.
 std::vector<double> beside(const Ring& ring, const Ring& next, const Options& options) {
     std::vector<double> found;
@@ -90,7 +102,10 @@ std::vector<Place> places_on(const Ring& ring, const Ring* next, const std::vect
     if (!ring.closed)
         return {{0, false, ring.line.front(), ring.line.back(), 0},
                 {ring.length, false, ring.line.back(), ring.line.front(), 0}};
-    std::vector<Place> places = corners_of(ring, options);
+    if (options.join == Join::longest_edge)
+        return {smooth_place(ring, middle_of_longest_edge(ring), options)};
+    std::vector<Place> places;
+    if (options.join == Join::half_step) places = corners_of(ring, options);
     const auto add = [&](double s) {
         const double apart = std::min(options.width / 4, ring.length / 16);
         if (std::ranges::none_of(places,
@@ -160,7 +175,10 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
             seams.push_back(seam);
             continue;
         }
-        double left = leaves_stepping ? before_closure : seam.stepped ? last_before_closure : 0;
+        const double left = options.join == Join::nearest ? 0
+                            : leaves_stepping             ? before_closure
+                            : seam.stepped                ? last_before_closure
+                                                          : 0;
         if (i > 0) {  // go on in the sense in which the last ring was left
             const Ring& before = *chain[i - 1];
             const Seam& came_from = seams.back();
@@ -168,7 +186,7 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
             const double end = came_from.start + came_from.span;
             const Point motion = at(before, end) - at(before, end - ahead);
             const Point mine = at(ring, seam.start + 1e-3 * options.width) - at(ring, seam.start);
-            if (dot(motion, mine) < 0) seam.span = -seam.span;
+            if ((dot(motion, mine) < 0) != (options.join == Join::alternating)) seam.span = -seam.span;
             if (seam.stepped && options.turn_radius > 0)
                 seam.start += std::copysign(std::min(slant * options.spacing, ring.length / 4), seam.span);
         }
