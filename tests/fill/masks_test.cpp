@@ -40,7 +40,7 @@ TEST(FillMasks, PinsBesideTheAreaAreUpAndSoIsTheRakeBeyondItsEnd) {
 TEST(FillMasks, SharedSandIsLeftToTheLastPass) {
     // Passes three pins apart: their shared pin's width is the second one's.
     const auto masks =
-        pin_masks(box(8, 1.75), {stroke_along({{0, 0.5}, {8, 0.5}}), stroke_along({{8, 1.25}, {0, 1.25}})},
+        pin_masks(box(8, 1.75), {stroke_along({{0, 0.5}, {8, 0.5}}), stroke_along({{0, 1.25}, {8, 1.25}})},
                   {}, four_pins);
     ASSERT_EQ(masks[0].size(), 1u);
     ASSERT_EQ(masks[1].size(), 1u);
@@ -49,8 +49,8 @@ TEST(FillMasks, SharedSandIsLeftToTheLastPass) {
 }
 
 TEST(FillMasks, TheSamePathTwiceIsRakedOnce) {
-    const Stroke there = stroke_along({{0, 0.5}, {8, 0.5}}), back = stroke_along({{8, 0.5}, {0, 0.5}});
-    const auto masks = pin_masks(box(8, 1), {there, back, there}, {}, four_pins);
+    const Stroke stroke = stroke_along({{0, 0.5}, {8, 0.5}});
+    const auto masks = pin_masks(box(8, 1), {stroke, stroke, stroke}, {}, four_pins);
     EXPECT_TRUE(masks[0].empty());
     EXPECT_TRUE(masks[1].empty());
     EXPECT_EQ(masks[2].size(), 1u);

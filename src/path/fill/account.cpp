@@ -219,8 +219,9 @@ Account account_of(const Regions& regions, const std::vector<Move>& moves, const
 }
 
 Account joined(Account a, const Account& b) {
+    if (!(b.area > 0)) return a;
+    if (!(a.area > 0)) return b;
     const double whole = a.area + b.area;
-    if (!(whole > 0)) return a;
     const auto mean = [&](double& x, double y) { x = (x * a.area + y * b.area) / whole; };
     mean(a.coverage, b.coverage);
     mean(a.overdraw, b.overdraw);

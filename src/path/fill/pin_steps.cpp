@@ -41,12 +41,15 @@ std::vector<std::vector<PinStep>> pin_steps(const std::vector<Track>& tracks,
         for (std::size_t i = 0; i < chords; ++i) {
             const Point from = raster.in_cells(track.line[i]), ahead = normalized(chord(i));
             const double whole = length(chord(i));
-            const double metres = (track.arcs[i + 1] - track.arcs[i]) / whole;  // a cell
+            const auto metres_a_cell = [&](std::size_t j) {
+                return (track.arcs[j + 1] - track.arcs[j]) / length(chord(j));
+            };
+            const double metres = metres_a_cell(i);
             const double begin = side(i), last = whole - side(i + 1);
             if (begin > 0) {
                 const Point before = normalized(chord(i - 1));
-                steps.push_back({track.arcs[i] - begin * metres, track.arcs[i] + begin * metres, arc - begin,
-                                 from, ahead, begin, before, true, false});
+                steps.push_back({track.arcs[i] - begin * metres_a_cell(i - 1), track.arcs[i] + begin * metres,
+                                 arc - begin, from, ahead, begin, before, true, false});
             }
             const double count = std::max(1.0, std::ceil((last - begin) / longest));
             const double step = (last - begin) / count;
