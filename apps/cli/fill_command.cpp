@@ -32,11 +32,12 @@ void print_account(const fill::Account& account, std::size_t strokes, const Fill
         fmt::print(arguments.output == "-" ? stderr : stdout, "{}", stages::write_account(account));
         return;
     }
-    fmt::print(stderr,
-               "{:.2f} % raked, {:.2f} % twice, {:.2f} % outside; raked length x width / area = {:.3f}\n"
-               "{} strokes, {} rake-up moves over a width, {} shorter; {} drives over finished sand ({:.3g})\n",
-               100 * account.coverage, 100 * account.overdraw, 100 * account.spill, account.ratio, strokes,
-               account.hops, account.pivots, account.drives_over, account.driven_over);
+    fmt::print(
+        stderr,
+        "{:.2f} % raked, {:.2f} % twice, {:.2f} % outside; raked length x width / area = {:.3f}\n"
+        "{} strokes, {} rake-up moves over a width, {} shorter; {} drives over finished sand ({:.3g})\n",
+        100 * account.coverage, 100 * account.overdraw, 100 * account.spill, account.ratio, strokes,
+        account.hops, account.pivots, account.drives_over, account.driven_over);
     const std::size_t named =
         common.verbose ? account.gaps.size() : std::min(most_gaps_named, account.gaps.size());
     for (const fill::Gap& gap : std::span(account.gaps).first(named))
@@ -121,7 +122,8 @@ int fill(const FillArguments& arguments, const Common& common) {
     if (arguments.pins) masks = fill::pin_masks(task->regions, strokes, ways, options);
     const std::vector<fill::Move> moves =
         fill::moves_of(strokes, ways, masks, options.pins, options.tolerance);
-    const auto written = write_output(arguments.output, stages::write_moves(*task, *width, moves, arguments.pins));
+    const auto written =
+        write_output(arguments.output, stages::write_moves(*task, *width, moves, arguments.pins));
     if (!written) return complain(written.error(), bad_input);
     if (common.json || !common.quiet) {
         const fill::Account account =

@@ -190,6 +190,7 @@ int plan(const PlanArguments& arguments, const Common& common) {
     else if (!common.quiet)
         fmt::print(stderr, "{}", summary(*made, report));
     if (!common.quiet) fmt::print(stderr, "{}", findings(report, common.verbose));
+    if (!common.quiet && common.verbose) fmt::print(stderr, "{}", bare_places(*made));
     if (arguments.strict && !common.quiet && !report.blemishes.empty())
         fmt::print(stderr,
                    "strict: finished ground is driven over at {} places (strandline check -v lists them)\n",

@@ -58,9 +58,15 @@ std::string summary(const Plan& plan, const check::Report& report) {
     row("order", std::string(f.tour_proven ? "proven optimal for straight gaps" : "searched") +
                      (f.reproducible ? "" : ", stopped early: not reproducible"));
     row("time", duration(f.time));
-    if (f.regions > 0)
+    if (f.regions > 0) {
+        row("fills", fmt::format("{:.2f} % reached, {:.2f} % twice, {:.2f} % outside; length x width / area "
+                                 "{:.3f}; {} hops, {} drives over finished sand; {} bare places",
+                                 100 * f.fill_coverage, 100 * f.fill_overdraw, 100 * f.fill_spill,
+                                 f.fill_area > 0 ? f.fill_swept / f.fill_area : 0, f.fill_hops,
+                                 f.fill_drives_over, plan.bare.size()));
         row("areas", fmt::format("{:.1f} % covered, {:.1f} % raked twice, {:.1f} % outside",
                                  100 * report.coverage, 100 * report.overdraw, 100 * report.spill));
+    }
     row("blemishes", fmt::format("{} crossings of finished lines, {:.2f} m^2 of finished areas driven over",
                                  report.crossings, report.driven_over));
     row("corners", corners(f));
@@ -75,6 +81,14 @@ std::string summary(const Plan& plan, const check::Report& report) {
                                  f.direct, plan.undrivable.size()));
     row("warnings", fmt::format("{}", plan.warnings.size() + plan.idle_edits.size()));
     row("check", report.sound() ? "sound" : fmt::format("{} faults", report.faults.size()));
+    return text;
+}
+
+std::string bare_places(const Plan& plan) {
+    std::string text;
+    for (const Spot& spot : plan.bare)
+        text += fmt::format("bare: {:.3g} m2 of {} at ({:.2f}, {:.2f})\n", spot.amount, spot.what, spot.at.x,
+                            spot.at.y);
     return text;
 }
 

@@ -39,9 +39,9 @@ void paint(Painted& sand, std::size_t begin, std::size_t end, float s, float slo
 }
 
 /// All moves onto the sand; gives back the raked length x share of the pins down, in metres.
-double rake(Painted& sand, const Lattice& lattice, const std::vector<Move>& moves,
+double rake(Painted& sand, const Raster& raster, const std::vector<Move>& moves,
             const AccountOptions& options) {
-    const auto lag = static_cast<float>(pass_lag * options.width / lattice.cell);
+    const auto lag = static_cast<float>(pass_lag * options.width / raster.cell);
     double arc = 0, raked = 0;
     std::optional<Point> before;  // the way ahead on the last chord, rake down
     for (const Move& move : moves) {
@@ -50,31 +50,31 @@ double rake(Painted& sand, const Lattice& lattice, const std::vector<Move>& move
         for (const Bar& bar : bars) share += (bar.left + bar.right) / options.width;
         if (move.mask == 0) before = {};
         for (std::size_t i = 1; i < move.line.size(); ++i) {
-            const Point from = lattice.in_cells(move.line[i - 1]);
-            const Point chord = lattice.in_cells(move.line[i]) - from;
+            const Point from = raster.in_cells(move.line[i - 1]);
+            const Point chord = raster.in_cells(move.line[i]) - from;
             const double long_ = length(chord);
             if (!(long_ > 0)) continue;
             const Point ahead = 1 / long_ * chord;
             const auto straight = [&](const Run& run) {
                 const double along =
                     dot(Point{static_cast<double>(run.first), static_cast<double>(run.row)} - from, ahead);
-                paint(sand, lattice.index(run.first, run.row), lattice.index(run.end, run.row),
+                paint(sand, raster.index(run.first, run.row), raster.index(run.end, run.row),
                       static_cast<float>(arc + along), static_cast<float>(ahead.x), lag);
             };
             const auto turned = [&](const Run& run) {
-                paint(sand, lattice.index(run.first, run.row), lattice.index(run.end, run.row),
+                paint(sand, raster.index(run.first, run.row), raster.index(run.end, run.row),
                       static_cast<float>(arc), 0, lag);
             };
             for (const Bar& bar : bars) {
-                const double left = bar.left / lattice.cell, right = bar.right / lattice.cell;
+                const double left = bar.left / raster.cell, right = bar.right / raster.cell;
                 if (before && turns(*before, ahead)) {
                     const Wedge wedge = wedge_of(from, *before, ahead, left, right);
-                    if (wedge.outer > wedge.inner) for_runs_in(lattice, wedge, turned);
+                    if (wedge.outer > wedge.inner) for_runs_in(raster, wedge, turned);
                 }
-                for_runs_in(lattice, Swath{from, ahead, long_, left, right}, straight);
+                for_runs_in(raster, Swath{from, ahead, long_, left, right}, straight);
             }
             if (move.mask != 0) before = ahead;
-            raked += long_ * share * lattice.cell;
+            raked += long_ * share * raster.cell;
             arc += long_;
         }
     }
@@ -96,31 +96,31 @@ void count_lifts(Account& account, const std::vector<Move>& moves, double width)
     }
 }
 
-void count_drives_over(Account& account, const Painted& sand, const Lattice& lattice,
+void count_drives_over(Account& account, const Painted& sand, const Raster& raster,
                        const std::vector<Move>& moves, double width) {
-    const double lag = finished_lag * width / lattice.cell;
+    const double lag = finished_lag * width / raster.cell;
     double arc = 0, entered = 0, latest = 0;
     bool over = false;
     const auto leave = [&](double s) {
-        if (over && (s - entered) * lattice.cell > least_stay * width) ++account.drives_over;
+        if (over && (s - entered) * raster.cell > least_stay * width) ++account.drives_over;
         over = false;
     };
     for (const Move& move : moves)
         for (std::size_t i = 1; i < move.line.size(); ++i) {
-            const Point from = lattice.in_cells(move.line[i - 1]), to = lattice.in_cells(move.line[i]);
+            const Point from = raster.in_cells(move.line[i - 1]), to = raster.in_cells(move.line[i]);
             const double long_ = distance(from, to);
             const double steps = std::max(1.0, std::ceil(long_));
             for (double k = 0.5; k < steps; ++k) {
                 const Point p = between(from, to, k / steps);
                 const double s = arc + long_ * k / steps;
-                const int column = ceiled(p.x - 0.5, lattice.columns), row = ceiled(p.y - 0.5, lattice.rows);
+                const int column = ceiled(p.x - 0.5, raster.columns), row = ceiled(p.y - 0.5, raster.rows);
                 bool finished = false;
-                if (column < lattice.columns && row < lattice.rows) {
-                    const std::size_t cell = lattice.index(column, row);
+                if (column < raster.columns && row < raster.rows) {
+                    const std::size_t cell = raster.index(column, row);
                     finished = sand.passes[cell] > 0 && static_cast<double>(sand.first[cell]) < s - lag;
                 }
                 if (finished) {
-                    account.driven_over += (s - latest) * lattice.cell;
+                    account.driven_over += (s - latest) * raster.cell;
                     if (!over) entered = s;
                     over = true;
                 } else {
@@ -133,12 +133,12 @@ void count_drives_over(Account& account, const Painted& sand, const Lattice& lat
     leave(latest);
 }
 
-double crisp_edge(const Regions& regions, const Painted& sand, const Lattice& lattice, double width) {
+double crisp_edge(const Regions& regions, const Painted& sand, const Raster& raster, double width) {
     // Within reach of the place there are both raked and bare cells.
-    const double reach = crisp * width / lattice.cell + 0.2;
+    const double reach = crisp * width / raster.cell + 0.2;
     const auto raked = [&](Point p) {
-        const int column = ceiled(p.x - 0.5, lattice.columns), row = ceiled(p.y - 0.5, lattice.rows);
-        return column < lattice.columns && row < lattice.rows && sand.passes[lattice.index(column, row)] > 0;
+        const int column = ceiled(p.x - 0.5, raster.columns), row = ceiled(p.y - 0.5, raster.rows);
+        return column < raster.columns && row < raster.rows && sand.passes[raster.index(column, row)] > 0;
     };
     constexpr int looks = 16;
     std::array<Point, looks> around;
@@ -150,7 +150,7 @@ double crisp_edge(const Regions& regions, const Painted& sand, const Lattice& la
             const double steps = std::max(1.0, std::ceil(distance(a, b) / (outline_step * width)));
             const double step = distance(a, b) / steps;
             for (double k = 0.5; k < steps; ++k) {
-                const Point p = lattice.in_cells(between(a, b, k / steps));
+                const Point p = raster.in_cells(between(a, b, k / steps));
                 const bool here = raked(p);
                 const bool edge = std::ranges::any_of(around, [&](Point d) { return raked(p + d) != here; });
                 all += step;
@@ -188,40 +188,41 @@ Account account_of(const Regions& regions, const std::vector<Move>& moves, const
     const double cell = options.width * options.cell_share;
     box = grown(box, options.width);
     box.low = box.low - cell * off_centres;
-    const Lattice lattice = lattice_over(box, cell);
-    account.cell = lattice.cell;
+    const Raster raster = raster_over(box, cell);
+    account.cell = raster.cell;
 
-    Painted sand(lattice.size());
-    account.ratio = rake(sand, lattice, moves, options) * options.width / account.area;
-    const std::vector<Run> inside = runs_inside(lattice, regions);
+    Painted sand(raster.size());
+    account.ratio = rake(sand, raster, moves, options) * options.width / account.area;
+    const std::vector<Run> inside = runs_inside(raster, regions);
     double covered = 0, bare = 0, raked = 0, again = 0;
     for (const std::uint8_t passes : sand.passes) {
         raked += passes > 0 ? 1 : 0;
         again += passes > 1 ? passes - 1 : 0;
     }
     for (const Run& run : inside)
-        for (std::size_t i = lattice.index(run.first, run.row); i < lattice.index(run.end, run.row); ++i)
+        for (std::size_t i = raster.index(run.first, run.row); i < raster.index(run.end, run.row); ++i)
             ++(sand.passes[i] > 0 ? covered : bare);
-    const double cell_area = lattice.cell * lattice.cell;
+    const double cell_area = raster.cell * raster.cell;
     account.coverage = std::max(0.0, 1 - bare * cell_area / account.area);
     account.overdraw = again * cell_area / account.area;
     account.spill = (raked - covered) * cell_area / account.area;
     count_lifts(account, moves, options.width);
-    count_drives_over(account, sand, lattice, moves, options.width);
+    count_drives_over(account, sand, raster, moves, options.width);
     if (!moves.empty())
         account.end_off_border = distance_to_outlines(regions, moves.back().line.back()) - options.width / 2;
     if (!options.details) return account;
-    if (raked > covered) account.spill_reach = lattice.cell * farthest_outside(lattice, inside, sand.passes);
-    account.crisp_edge = crisp_edge(regions, sand, lattice, options.width);
-    account.gaps = gaps_of(lattice, inside, sand.passes, options.least_gap * options.width);
+    if (raked > covered) account.spill_reach = raster.cell * farthest_outside(raster, inside, sand.passes);
+    account.crisp_edge = crisp_edge(regions, sand, raster, options.width);
+    account.gaps = gaps_of(raster, inside, sand.passes, options.least_gap * options.width);
     if (std::ssize(account.gaps) > options.most_gaps)
         account.gaps.resize(static_cast<std::size_t>(std::max(0, options.most_gaps)));
     return account;
 }
 
 Account joined(Account a, const Account& b) {
+    if (!(b.area > 0)) return a;
+    if (!(a.area > 0)) return b;
     const double whole = a.area + b.area;
-    if (!(whole > 0)) return a;
     const auto mean = [&](double& x, double y) { x = (x * a.area + y * b.area) / whole; };
     mean(a.coverage, b.coverage);
     mean(a.overdraw, b.overdraw);

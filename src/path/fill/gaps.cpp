@@ -37,12 +37,12 @@ struct Bare {
     }
 };
 
-Bare bare_cells(const Lattice& lattice, std::span<const Run> inside, std::span<const std::uint8_t> passes) {
+Bare bare_cells(const Raster& raster, std::span<const Run> inside, std::span<const std::uint8_t> passes) {
     Bare bare;
-    bare.rows.assign(static_cast<std::size_t>(lattice.rows) + 1, 0);
+    bare.rows.assign(static_cast<std::size_t>(raster.rows) + 1, 0);
     for (const Run& run : inside)
         for (int column = run.first; column < run.end; ++column)
-            if (passes[lattice.index(column, run.row)] == 0) {
+            if (passes[raster.index(column, run.row)] == 0) {
                 bare.cells.push_back({column, run.row, {}, static_cast<int>(bare.cells.size())});
                 ++bare.rows[static_cast<std::size_t>(run.row) + 1];
             }
@@ -90,9 +90,9 @@ void measure(Bare& bare) {
 
 }  // namespace
 
-std::vector<Gap> gaps_of(const Lattice& lattice, std::span<const Run> inside,
+std::vector<Gap> gaps_of(const Raster& raster, std::span<const Run> inside,
                          std::span<const std::uint8_t> passes, double least) {
-    Bare bare = bare_cells(lattice, inside, passes);
+    Bare bare = bare_cells(raster, inside, passes);
     measure(bare);
     struct Piece {
         double cells = 0;
@@ -111,19 +111,19 @@ std::vector<Gap> gaps_of(const Lattice& lattice, std::span<const Run> inside,
     std::vector<Gap> gaps;
     for (const Piece& piece : pieces) {
         // From its centre to that of the first cell that is not bare: half a cell too much each way.
-        const double disc = lattice.cell * (2 * std::sqrt(static_cast<double>(piece.reach)) - 1);
+        const double disc = raster.cell * (2 * std::sqrt(static_cast<double>(piece.reach)) - 1);
         if (piece.cells > 0 && disc > least)
             gaps.push_back(
-                {lattice.in_metres({static_cast<double>(piece.at.x), static_cast<double>(piece.at.y)}),
-                 piece.cells * lattice.cell * lattice.cell, disc});
+                {raster.in_metres({static_cast<double>(piece.at.x), static_cast<double>(piece.at.y)}),
+                 piece.cells * raster.cell * raster.cell, disc});
     }
     std::ranges::stable_sort(gaps, std::greater{}, &Gap::area);
     return gaps;
 }
 
-double farthest_outside(const Lattice& lattice, std::span<const Run> inside,
+double farthest_outside(const Raster& raster, std::span<const Run> inside,
                         std::span<const std::uint8_t> passes) {
-    std::vector<std::size_t> rows(static_cast<std::size_t>(lattice.rows) + 1, 0);
+    std::vector<std::size_t> rows(static_cast<std::size_t>(raster.rows) + 1, 0);
     for (const Run& run : inside) ++rows[static_cast<std::size_t>(run.row) + 1];
     std::partial_sum(rows.begin(), rows.end(), rows.begin());
     const auto of_row = [&](int row) {
@@ -140,15 +140,15 @@ double farthest_outside(const Lattice& lattice, std::span<const Run> inside,
     };
     if (inside.empty()) return 0;
     double farthest = 0;
-    for (int row = 0; row < lattice.rows; ++row) {
+    for (int row = 0; row < raster.rows; ++row) {
         int column = 0;
         const auto look_until = [&](int end) {
             for (; column < end; ++column) {
-                if (passes[lattice.index(column, row)] == 0) continue;
+                if (passes[raster.index(column, row)] == 0) continue;
                 double nearest = away_in_row(column, row);
-                for (int dy = 1; dy < nearest && (row - dy >= 0 || row + dy < lattice.rows); ++dy)
+                for (int dy = 1; dy < nearest && (row - dy >= 0 || row + dy < raster.rows); ++dy)
                     for (const int other : {row - dy, row + dy})
-                        if (other >= 0 && other < lattice.rows)
+                        if (other >= 0 && other < raster.rows)
                             nearest = std::min(nearest, std::hypot(away_in_row(column, other), dy));
                 farthest = std::max(farthest, nearest);
                 // It changes by at most a cell from one to the next: those that stay nearer are passed over.
@@ -159,7 +159,7 @@ double farthest_outside(const Lattice& lattice, std::span<const Run> inside,
             look_until(run.first);
             column = run.end;
         }
-        look_until(lattice.columns);
+        look_until(raster.columns);
     }
     return farthest;
 }

@@ -9,10 +9,10 @@ namespace strandline::fill {
 
 /// The connected pieces (cells that share a side or a corner) of the inside that no pass covers, with their
 /// widest discs; those no wider than `least` metres left out. Largest area first. O(bare cells + cells / 64).
-std::vector<Gap> gaps_of(const Lattice& lattice, std::span<const Run> inside,
+std::vector<Gap> gaps_of(const Raster& raster, std::span<const Run> inside,
                          std::span<const std::uint8_t> passes, double least);
 /// The largest distance of a covered cell from the inside, in cells.
-double farthest_outside(const Lattice& lattice, std::span<const Run> inside,
+double farthest_outside(const Raster& raster, std::span<const Run> inside,
                         std::span<const std::uint8_t> passes);
 
 }  // namespace strandline::fill

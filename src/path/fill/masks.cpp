@@ -33,15 +33,15 @@ using Values = std::array<float, 32>;
 
 class Masker {
   public:
-    Masker(const Regions& regions, const Lattice& lattice, const Options& options)
-        : lattice_(lattice),
+    Masker(const Regions& regions, const Raster& raster, const Options& options)
+        : raster_(raster),
           pins_(options.pins),
-          pin_(options.width / options.pins / lattice.cell),
-          lag_(static_cast<float>(pass_lag * options.width / lattice.cell)),
-          sand_(lattice.size()) {
-        for (const Run& run : runs_inside(lattice, regions))
+          pin_(options.width / options.pins / raster.cell),
+          lag_(static_cast<float>(pass_lag * options.width / raster.cell)),
+          sand_(raster.size()) {
+        for (const Run& run : runs_inside(raster, regions))
             for (int column = run.first; column < run.end; ++column)
-                sand_[lattice.index(column, run.row)].inside = true;
+                sand_[raster.index(column, run.row)].inside = true;
     }
     /// Counts the visits that each cell will have, by pins that stay inside; gives their masks by step.
     std::vector<unsigned> foresee(const std::vector<PinStep>& steps);
@@ -52,7 +52,7 @@ class Masker {
 
   private:
     const Sand& at(Point p) const {
-        return sand_[lattice_.index(static_cast<int>(p.x + 0.5), static_cast<int>(p.y + 0.5))];
+        return sand_[raster_.index(static_cast<int>(p.x + 0.5), static_cast<int>(p.y + 0.5))];
     }
     std::vector<Bar> bars(unsigned mask) const { return bars_of(mask, pins_, pins_ * pin_); }
     /// what(pin, sand, weight) for sample points that tile the step's sand: each pin's next to each other.
@@ -62,7 +62,7 @@ class Masker {
     void visit(const PinStep& step, unsigned mask, int change);
     void rake(const PinStep& step, unsigned mask);
 
-    const Lattice& lattice_;
+    const Raster& raster_;
     int pins_;
     double pin_;  // cells
     float lag_;
@@ -111,9 +111,9 @@ Values Masker::values(const PinStep& step) const {
 }
 
 void Masker::visit(const PinStep& step, unsigned mask, int change) {
-    for_runs_in(lattice_, step, bars(mask), [&](const Run& run, double arc, double slope) {
+    for_runs_in(raster_, step, bars(mask), [&](const Run& run, double arc, double slope) {
         auto s = static_cast<float>(arc);
-        for (std::size_t i = lattice_.index(run.first, run.row); i < lattice_.index(run.end, run.row);
+        for (std::size_t i = raster_.index(run.first, run.row); i < raster_.index(run.end, run.row);
              ++i, s += static_cast<float>(slope)) {
             Sand& sand = sand_[i];
             if (sand.visited < s - lag_) sand.visits = static_cast<std::uint8_t>(sand.visits + change);
@@ -123,9 +123,9 @@ void Masker::visit(const PinStep& step, unsigned mask, int change) {
 }
 
 void Masker::rake(const PinStep& step, unsigned mask) {
-    for_runs_in(lattice_, step, bars(mask), [&](const Run& run, double arc, double slope) {
+    for_runs_in(raster_, step, bars(mask), [&](const Run& run, double arc, double slope) {
         auto s = static_cast<float>(arc);
-        for (std::size_t i = lattice_.index(run.first, run.row); i < lattice_.index(run.end, run.row);
+        for (std::size_t i = raster_.index(run.first, run.row); i < raster_.index(run.end, run.row);
              ++i, s += static_cast<float>(slope))
             sand_[i].raked = std::max(sand_[i].raked, s);
     });
@@ -226,10 +226,10 @@ std::vector<PinSpans> pin_masks(const Regions& regions, const std::vector<Stroke
         box = united(box, bounds(tracks.back().line));
     }
     // Room for the whole rake and a cell beside it: samples need no look at the borders.
-    const Lattice lattice =
-        lattice_over(grown(box, options.width), options.width / (samples_a_pin * options.pins));
-    const auto steps = pin_steps(tracks, ways, lattice, step_cells);
-    Masker masker(regions, lattice, options);
+    const Raster raster =
+        raster_over(grown(box, options.width), options.width / (samples_a_pin * options.pins));
+    const auto steps = pin_steps(tracks, ways, raster, step_cells);
+    Masker masker(regions, raster, options);
     std::vector<std::vector<unsigned>> visitors;
     for (const auto& of_stroke : steps) visitors.push_back(masker.foresee(of_stroke));
     masker.forget_visits();

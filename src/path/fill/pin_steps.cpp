@@ -12,7 +12,7 @@ constexpr double corner_side = 0.2;  // cells of a corner's step on either side,
 }  // namespace
 
 std::vector<std::vector<PinStep>> pin_steps(const std::vector<Track>& tracks,
-                                            const std::vector<Polyline>& ways, const Lattice& lattice,
+                                            const std::vector<Polyline>& ways, const Raster& raster,
                                             double longest) {
     std::vector<std::vector<PinStep>> all;
     double arc = 0;
@@ -25,12 +25,12 @@ std::vector<std::vector<PinStep>> pin_steps(const std::vector<Track>& tracks,
             Polyline way{*end};
             if (stroke < ways.size()) way.insert(way.end(), ways[stroke].begin(), ways[stroke].end());
             way.push_back(track.line.front());
-            arc += length(way) / lattice.cell;
+            arc += length(way) / raster.cell;
         }
         end = track.line.back();
         const std::size_t chords = track.line.size() - 1;
         const auto chord = [&](std::size_t i) {
-            return lattice.in_cells(track.line[i + 1]) - lattice.in_cells(track.line[i]);
+            return raster.in_cells(track.line[i + 1]) - raster.in_cells(track.line[i]);
         };
         const auto side = [&](std::size_t i) {  // of the step at the corner where chord i begins
             if (i == 0 || i >= chords) return 0.0;
@@ -39,14 +39,17 @@ std::vector<std::vector<PinStep>> pin_steps(const std::vector<Track>& tracks,
             return std::min({corner_side, length(before) / 4, length(after) / 4});
         };
         for (std::size_t i = 0; i < chords; ++i) {
-            const Point from = lattice.in_cells(track.line[i]), ahead = normalized(chord(i));
+            const Point from = raster.in_cells(track.line[i]), ahead = normalized(chord(i));
             const double whole = length(chord(i));
-            const double metres = (track.arcs[i + 1] - track.arcs[i]) / whole;  // a cell
+            const auto metres_a_cell = [&](std::size_t j) {
+                return (track.arcs[j + 1] - track.arcs[j]) / length(chord(j));
+            };
+            const double metres = metres_a_cell(i);
             const double begin = side(i), last = whole - side(i + 1);
             if (begin > 0) {
                 const Point before = normalized(chord(i - 1));
-                steps.push_back({track.arcs[i] - begin * metres, track.arcs[i] + begin * metres, arc - begin,
-                                 from, ahead, begin, before, true, false});
+                steps.push_back({track.arcs[i] - begin * metres_a_cell(i - 1), track.arcs[i] + begin * metres,
+                                 arc - begin, from, ahead, begin, before, true, false});
             }
             const double count = std::max(1.0, std::ceil((last - begin) / longest));
             const double step = (last - begin) / count;

@@ -40,15 +40,15 @@ void for_stretches(const std::vector<PinStep>& steps, const std::vector<unsigned
 
 /// The steps of each stroke, at most `longest` cells long.
 std::vector<std::vector<PinStep>> pin_steps(const std::vector<Track>& tracks,
-                                            const std::vector<Polyline>& ways, const Lattice& lattice,
+                                            const std::vector<Polyline>& ways, const Raster& raster,
                                             double longest);
 
 /// Calls what(run, arc at its first cell, arc from cell to cell) with the cells that the bars pass over in a
 /// step. Bars in cells.
 template <class What>
-void for_runs_in(const Lattice& lattice, const PinStep& step, const std::vector<Bar>& bars, What what) {
+void for_runs_in(const Raster& raster, const PinStep& step, const std::vector<Bar>& bars, What what) {
     const auto straight = [&](Point from, Point ahead, double arc, const Bar& bar) {
-        for_runs_in(lattice, Swath{from, ahead, step.length, bar.left, bar.right}, [&](const Run& run) {
+        for_runs_in(raster, Swath{from, ahead, step.length, bar.left, bar.right}, [&](const Run& run) {
             const Point first{static_cast<double>(run.first), static_cast<double>(run.row)};
             what(run, arc + dot(first - from, ahead), ahead.x);
         });
@@ -58,7 +58,7 @@ void for_runs_in(const Lattice& lattice, const PinStep& step, const std::vector<
             straight(step.at - step.length * step.before, step.before, step.arc, bar);
             const Wedge wedge = wedge_of(step.at, step.before, step.ahead, bar.left, bar.right);
             if (wedge.outer > wedge.inner)
-                for_runs_in(lattice, wedge, [&](const Run& run) { what(run, step.arc + step.length, 0.0); });
+                for_runs_in(raster, wedge, [&](const Run& run) { what(run, step.arc + step.length, 0.0); });
         }
         straight(step.at, step.ahead, step.arc + (step.corner ? step.length : 0), bar);
     }

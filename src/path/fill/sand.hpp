@@ -11,8 +11,8 @@
 
 namespace strandline::fill {
 
-/// Where the cells are. Row by row, `columns` a row.
-struct Lattice {
+/// Where the cells are: row by row, `columns` a row.
+struct Raster {
     Point low;
     double cell = 1;
     int columns = 0, rows = 0;
@@ -25,16 +25,16 @@ struct Lattice {
     }
 };
 /// Over the box, with cells of `cell` metres, or as much larger as keeps them below about eight million.
-Lattice lattice_over(Box box, double cell);
+Raster raster_over(Box box, double cell);
 
 /// Cells first to before end of a row.
 struct Run {
     int row = 0, first = 0, end = 0;
 };
 /// The cells whose centres lie in the area, even-odd; by row, then column. O(edges + rows met + runs).
-std::vector<Run> runs_inside(const Lattice& lattice, const Regions& regions);
+std::vector<Run> runs_inside(const Raster& raster, const Regions& regions);
 
-/// Numbers that stay on the lattice, without a call to the mathematics library for each row.
+/// Numbers that stay on the raster, without a call to the mathematics library for each row.
 inline int ceiled(double x, int most) {
     const double within = std::clamp(x, 0.0, static_cast<double>(most));
     const int whole = static_cast<int>(within);
@@ -50,7 +50,7 @@ struct Swath {
 /// Calls what(run) with the cells whose centres it passes, its edges included. Their way along the swath is
 /// dot(centre - from, ahead). O(rows).
 template <class What>
-void for_runs_in(const Lattice& lattice, const Swath& swath, What what) {
+void for_runs_in(const Raster& raster, const Swath& swath, What what) {
     const auto sloped = [](double t) { return std::abs(t) < 1e-12 ? 1e-12 : t; };
     const Point t = swath.ahead;
     const double along = 1 / sloped(t.x), across = -1 / sloped(t.y);
@@ -58,8 +58,8 @@ void for_runs_in(const Lattice& lattice, const Swath& swath, What what) {
         swath.from.y + std::min(0.0, swath.length * t.y) + std::min(swath.left * t.x, -swath.right * t.x);
     const double high =
         swath.from.y + std::max(0.0, swath.length * t.y) + std::max(swath.left * t.x, -swath.right * t.x);
-    const int end = ceiled(high + 1, lattice.rows);
-    for (int row = ceiled(low - 1e-9, lattice.rows); row < end; ++row) {
+    const int end = ceiled(high + 1, raster.rows);
+    for (int row = ceiled(low - 1e-9, raster.rows); row < end; ++row) {
         const double dy = row - swath.from.y;
         // 0 <= x tx + dy ty <= length and -right <= dy tx - x ty <= left, solved for x.
         const double a = -dy * t.y * along, b = (swath.length - dy * t.y) * along;
@@ -67,9 +67,9 @@ void for_runs_in(const Lattice& lattice, const Swath& swath, What what) {
         const double from = swath.from.x + std::max(std::min(a, b), std::min(c, d));
         const double to = swath.from.x + std::min(std::max(a, b), std::max(c, d));
         if (!(from <= to)) continue;
-        const int first = ceiled(from, lattice.columns);
-        int last = ceiled(to, lattice.columns);  // the cell after the last one, or the last one itself
-        if (last < lattice.columns && static_cast<double>(last) <= to) ++last;
+        const int first = ceiled(from, raster.columns);
+        int last = ceiled(to, raster.columns);  // the cell after the last one, or the last one itself
+        if (last < raster.columns && static_cast<double>(last) <= to) ++last;
         if (first < last) what(Run{row, first, last});
     }
 }
@@ -82,9 +82,9 @@ struct Wedge {
 };
 /// Calls what(run) with the cells whose centres lie in it. O(rows).
 template <class What>
-void for_runs_in(const Lattice& lattice, const Wedge& wedge, What what) {
-    const int end = ceiled(wedge.at.y + wedge.outer + 1, lattice.rows);
-    for (int row = ceiled(wedge.at.y - wedge.outer, lattice.rows); row < end; ++row) {
+void for_runs_in(const Raster& raster, const Wedge& wedge, What what) {
+    const int end = ceiled(wedge.at.y + wedge.outer + 1, raster.rows);
+    for (int row = ceiled(wedge.at.y - wedge.outer, raster.rows); row < end; ++row) {
         const double dy = row - wedge.at.y;
         const double reach = wedge.outer * wedge.outer - dy * dy;
         if (reach < 0) continue;
@@ -105,9 +105,9 @@ void for_runs_in(const Lattice& lattice, const Wedge& wedge, What what) {
         const double bare = hole > 0 ? std::sqrt(hole) : 0;
         const auto run = [&](double low, double high) {
             if (!(low <= high)) return;
-            const int first = ceiled(wedge.at.x + low, lattice.columns);
-            int last = ceiled(wedge.at.x + high, lattice.columns);
-            if (last < lattice.columns && static_cast<double>(last) <= wedge.at.x + high) ++last;
+            const int first = ceiled(wedge.at.x + low, raster.columns);
+            int last = ceiled(wedge.at.x + high, raster.columns);
+            if (last < raster.columns && static_cast<double>(last) <= wedge.at.x + high) ++last;
             if (first < last) what(Run{row, first, last});
         };
         if (bare > 0) {

@@ -58,7 +58,7 @@ struct Options {
             true;  // a font that is absent is replaced, with a warning; else its text is left out
         bool operator==(const Text&) const = default;
     } text;
-    struct FillArea {                  // "fill.*"
+    struct FillArea {                 // "fill.*"
         std::string style = "rings";  // rings | spiral | zigzag
         double spacing = 0, direction = 0;
         bool best_direction = true;
@@ -189,7 +189,12 @@ struct Figures {
     int fallbacks = 0;  ///< anything done another way than asked; each has a warning
     bool tour_proven = false;
     bool reproducible = true;
-    double fill_area = 0, fill_swept = 0;
+    double fill_area = 0, fill_swept = 0;  ///< m^2
+    /// What the strokes of all areas leave when a bar goes along them exactly, shares of fill_area: raked,
+    /// raked again, raked outside. What the robot makes of them is in the check's report.
+    double fill_coverage = 0, fill_overdraw = 0, fill_spill = 0;
+    int fill_hops = 0;         ///< rake-up moves over a width within areas
+    int fill_drives_over = 0;  ///< times a path within an area enters finished sand of it
     bool operator==(const Figures&) const = default;
 };
 
@@ -209,6 +214,7 @@ struct Plan {
     std::vector<Sample> samples;
     std::vector<Stop> stops;
     std::vector<Spot> undrivable;
+    std::vector<Spot> bare;  ///< sand of areas that no stroke rakes: element, m^2; largest first
     Figures figures;
     Warnings warnings;
     bool operator==(const Plan&) const = default;

@@ -235,8 +235,14 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     plan.samples =
         trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});
     plan.drawing = std::move(*drawing);
-    plan.figures.fill_area = strokes.fill_area;
+    plan.figures.fill_area = strokes.fills.area;
     plan.figures.fill_swept = strokes.fill_swept;
+    plan.figures.fill_coverage = strokes.fills.coverage;
+    plan.figures.fill_overdraw = strokes.fills.overdraw;
+    plan.figures.fill_spill = strokes.fills.spill;
+    plan.figures.fill_hops = strokes.fills.hops;
+    plan.figures.fill_drives_over = strokes.fills.drives_over;
+    plan.bare = std::move(strokes.bare);
     plan.figures.fallbacks = strokes.fallbacks;
     take_account(plan, *ordered);
     add(plan.warnings, document.warnings);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 #include "plan/pipeline/hints.hpp"
@@ -95,6 +96,7 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
     o.min_area = f.min_area;
     o.border = f.border;
     o.tolerance = options.drawing.tolerance;
+    o.account = true;
     // The rake can follow radii above its offset, but the nearer to it the more the bar stands skew: at 1.5 L
     // by 42 degrees, and the groove is a quarter narrower.
     o.turn_radius = robot.min_radius > 0 ? 1.5 * robot.rake_offset : 0;
@@ -129,8 +131,10 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
             const fill::Options filling = fill_options(options_for(element, options), robot);
             fill::Fill filled =
                 fill::fill_region(std::get<RegionElement>(element.what).region, index, element.id, filling);
-            strokes.fill_area += filled.area;
             strokes.fill_swept += filled.swept;
+            for (const fill::Gap& gap : filled.account->gaps)
+                strokes.bare.push_back({element.id, gap.at, gap.area});
+            strokes.fills = joined(std::move(strokes.fills), *filled.account);
             strokes.fallbacks += static_cast<int>(filled.warnings.size());
             strokes.warnings.insert(strokes.warnings.end(), filled.warnings.begin(), filled.warnings.end());
             for (Stroke& stroke : filled.strokes) {
@@ -143,6 +147,7 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
         else
             strokes.groups.push_back(std::move(group));
     }
+    std::ranges::stable_sort(strokes.bare, std::greater{}, &Spot::amount);
     progress.report("filling", 1);
     return strokes;
 }

@@ -9,7 +9,9 @@ namespace strandline::pipeline {
 /// The strokes of a drawing and what filling cost.
 struct Strokes {
     std::vector<order::Group> groups;
-    double fill_area = 0, fill_swept = 0;  ///< m^2
+    fill::Account fills;     ///< of all areas together
+    double fill_swept = 0;   ///< m^2
+    std::vector<Spot> bare;  ///< gaps, by element
     int fallbacks = 0;
     Warnings warnings;
 };

@@ -163,6 +163,11 @@ void fields(Either<Figures> auto& figures, Visit&& field) {
     field("reproducible", figures.reproducible);
     field("fill_area", figures.fill_area);
     field("fill_swept", figures.fill_swept);
+    field("fill_coverage", figures.fill_coverage);
+    field("fill_overdraw", figures.fill_overdraw);
+    field("fill_spill", figures.fill_spill);
+    field("fill_hops", figures.fill_hops);
+    field("fill_drives_over", figures.fill_drives_over);
 }
 
 /// Samples are columns: one array a field, all of one length; columns of numbers that seldom change are runs
@@ -208,6 +213,7 @@ void fields(Either<Plan> auto& plan, Visit&& field) {
     field("warnings", plan.warnings);
     field("stops", plan.stops);
     field("undrivable", plan.undrivable);
+    field("bare", plan.bare);
     field("drawing", plan.drawing);
     field("strokes", plan.strokes);
     field("order", plan.order);

@@ -84,6 +84,7 @@ std::string write_figures(const Plan& plan) {
     fields(plan.figures, line);
     line("samples", static_cast<int>(plan.samples.size()));
     line("undrivable", static_cast<int>(plan.undrivable.size()));
+    line("bare", static_cast<int>(plan.bare.size()));
     line("idle_edits", static_cast<int>(plan.idle_edits.size()));
     line("warnings", plan.warnings);
     add(text, "\n}\n");
