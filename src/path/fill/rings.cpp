@@ -13,12 +13,13 @@ namespace {
 // All of these are shares of the rake's width or its square.
 constexpr double thinnest_ring =
     0.12;  // half the width of what a ring goes round: thinner, it is one place twice
-constexpr double gap_margin = 0.02;   // gaps thinner than twice that are chords against arcs
-constexpr double least_gap = 0.12;    // area: less in the middle of a ring is not worth a pass
-constexpr double least_neck = 0.3;    // area: nor is less beside a ring
-constexpr double tooth_price = 0.04;  // area that a tooth of a comb must save: each costs a lift
-constexpr double neck_margin = 0.05;  // area beyond what mitred corners explain: there is a neck
-constexpr double longest_tip = 1.2;   // of (width / 2)^2: the tip of a corner of 45 degrees
+constexpr double gap_margin = 0.02;        // gaps thinner than twice that are chords against arcs
+constexpr double least_masked_gap = 0.02;  // area: the same where what is raked twice is lifted over
+constexpr double least_gap = 0.12;         // area: less in the middle of a ring is not worth a pass
+constexpr double least_neck = 0.3;         // area: nor is less beside a ring
+constexpr double tooth_price = 0.04;       // area that a tooth of a comb must save: each costs a lift
+constexpr double neck_margin = 0.05;       // area beyond what mitred corners explain: there is a neck
+constexpr double longest_tip = 1.2;        // of (width / 2)^2: the tip of a corner of 45 degrees
 constexpr double fine = 200,
                  coarse = 50;  // widths a tolerance: outlines are thinned, of very rough areas more
 constexpr std::size_t many_corners = 1000;
@@ -28,6 +29,8 @@ constexpr double masked_price = 0.1;    // a pass, when what it rakes twice is l
 constexpr double trial_cell = 1 / 8.0;  // the raster on which choices are tried
 constexpr double spine_thinning = 0.02;
 constexpr int most_trial_levels = 4;  // rings within a narrow place: with more the misfit is a small share
+constexpr int plain_levels = 1;       // with more, combs are tried only round a few holes
+constexpr std::size_t most_holes = 3;
 constexpr int most_levels = 4000;
 
 /// Rings for one place, and how many levels of them lie within each other.
@@ -81,7 +84,8 @@ class Nesting {
             append(nest.rings, std::move(inner.rings));
         };
         for (const Region& rest : inset(centre, options_.spacing - w_ / 2, w_ / 200))
-            if (area(rest) > least_gap * w_ * w_) take(filled(rest, level + 1));
+            if (area(rest) > (options_.masked ? least_masked_gap : least_gap) * w_ * w_)
+                take(filled(rest, level + 1));
         // Beside the rings: necks narrower than the rake, and corners.
         // At the outline itself nothing fits there: what is served there is narrower than the rake.
         if (level > 0 && area(sand) - reached(centre) > neck_margin * w_ * w_) {
@@ -135,6 +139,10 @@ class Nesting {
         Nest best;
         if (!centre.empty()) best = ringed({sand}, centre, level);
         if (best.levels > most_trial_levels) return best;
+        // Combs serve corridors; in a net of ridges between many holes they only cost time.
+        const bool combs = options_.pivots && !options_.masked &&
+                           (best.levels <= plain_levels || sand.holes.size() <= most_holes);
+        if (!centre.empty() && !combs) return best;
         double least = waste(sand, best.rings, options_);
         if (least < 0.02 * area(sand)) return best;
         const Regions plain = simplified({sand}, axis_thinning * w_);
@@ -154,7 +162,7 @@ class Nesting {
         for (const AxisPath& path : paths)
             if (centre.empty()) spines.push_back(ring_of(spine_of(path), level, path.closed));
         offer(std::move(spines));
-        if (!options_.pivots || options_.masked) return best;
+        if (!combs) return best;
         offer(combed(plain[0], paths, level));
         if (const auto legs = parted_at_bends(paths, plain[0], options_); legs.size() > paths.size())
             offer(combed(plain[0], legs, level));
