@@ -1,0 +1,387 @@
+// The parallel lines of one segment.
+// Key: everything is turned by -direction, so that lines lie level. A row's band is the sand it answers for;
+// the profile of a band is the height of it that lies in an area, as a function of x: piecewise linear.
+#include <algorithm>
+
+#include "path/fill/zigzag.hpp"
+
+namespace strandline::fill {
+namespace {
+
+constexpr double bar_slack = 1e-3;    // of the width: a bar flush with an edge is inside
+constexpr double least_share = 0.06;  // of a band: rows that would rake less are left to the neighbours' edges
+constexpr double full_share = 0.95;   // of a band: less anywhere in a line, and it goes to the middle of that
+constexpr double shortest_line = 0.1;  // of the width: shorter ones are left to the border
+constexpr double missing_cost = 3;     // metres raked that a metre not raked counts for
+constexpr double half_cost = 0.5;      // metres raked that a metre counts for in a band less than half to be raked
+constexpr double line_slack = 0.01;    // of the spacing: an area that is higher by less gets no further row
+constexpr int most_phases = 6;         // edges along the lines that rows are tried flush with
+constexpr double bare_budget = 0.003;  // of the segment: what line ends at slanted edges may leave
+// Shares of a band at which a line ends, best first: half way gap and overlap are least together.
+constexpr double end_shares[] = {0.5, 0.42, 0.35, 0.28, 0.21, 0.14, 0.07, 0.02};
+constexpr double least_slant = 0.27, most_slant = 1.75;  // of ends the bar turns at: tangents of 15, 60 deg
+constexpr double turn_step = 0.04;                       // of the width, driven after turning
+
+/// Evenly spaced bands; band i begins at low + i x pitch.
+struct Bands {
+    double low, pitch, height;
+    int count;
+};
+/// A piece of an edge within a band.
+struct Portion {
+    Point a, b;
+    bool opens;  ///< the area is on its right
+};
+using Portions = std::vector<std::vector<Portion>>;  // by band
+
+/// O(edges + pieces).
+Portions portions_of(const Regions& regions, const Bands& bands) {
+    Portions all(bands.count);
+    const auto ring = [&](const Polygon& polygon) {
+        for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+            Point a = polygon[j], b = polygon[i];
+            if (a.y == b.y) continue;
+            const bool opens = a.y > b.y;  // areas lie left of their outlines
+            if (opens) std::swap(a, b);
+            const double slope = (b.x - a.x) / (b.y - a.y);
+            const auto first = std::floor((a.y - bands.low - bands.height) / bands.pitch);
+            const auto last = std::ceil((b.y - bands.low) / bands.pitch);
+            for (int k = std::max(0, static_cast<int>(first)); k <= std::min(bands.count - 1.0, last); ++k) {
+                const double low = bands.low + k * bands.pitch, high = low + bands.height;
+                if (b.y <= low || a.y >= high) continue;
+                const Point from = a.y < low ? Point{a.x + slope * (low - a.y), low} : a;
+                const Point to = b.y > high ? Point{a.x + slope * (high - a.y), high} : b;
+                all[k].push_back({from, to, opens});
+            }
+        }
+    };
+    for (const Region& region : regions) {
+        ring(region.outer);
+        for (const Polygon& hole : region.holes) ring(hole);
+    }
+    return all;
+}
+
+struct Knot {
+    double x, height;
+};
+/// O(portions log portions). Steps are two knots at one x.
+std::vector<Knot> profile_of(const std::vector<Portion>& portions) {
+    struct Change {
+        double x, slope, step;
+    };
+    std::vector<Change> changes;
+    for (const Portion& p : portions) {
+        const double from = std::min(p.a.x, p.b.x), to = std::max(p.a.x, p.b.x);
+        const double rise = (p.opens ? 1 : -1) * (p.b.y - p.a.y);
+        if (to - from < 1e-9 * (1 + std::abs(to))) {
+            changes.push_back({from, 0, rise});
+        } else {
+            changes.push_back({from, rise / (to - from), 0});
+            changes.push_back({to, -rise / (to - from), 0});
+        }
+    }
+    std::ranges::sort(changes, {}, [](const Change& c) { return std::tuple(c.x, c.step, c.slope); });
+    std::vector<Knot> knots;
+    double height = 0, slope = 0, x = changes.empty() ? 0 : changes.front().x;
+    for (const Change& change : changes) {
+        if (change.x > x) {
+            height += slope * (change.x - x);
+            x = change.x;
+            knots.push_back({x, height});
+        } else if (knots.empty()) {
+            knots.push_back({x, height});
+        }
+        slope += change.slope;
+        if (change.step != 0) {
+            height += change.step;
+            knots.push_back({x, height});
+        }
+    }
+    return knots;
+}
+
+struct Interval {
+    double from, to;
+};
+/// Where a profile is at least `height`.
+std::vector<Interval> above(const std::vector<Knot>& profile, double height) {
+    std::vector<Interval> intervals;
+    bool open = false;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const Knot here = profile[i];
+        if ((here.height >= height) == open) continue;
+        double x = here.x;
+        if (i > 0 && profile[i - 1].x < x) {
+            const Knot last = profile[i - 1];
+            x = last.x + (height - last.height) / (here.height - last.height) * (here.x - last.x);
+        }
+        if (open)
+            intervals.back().to = x;
+        else
+            intervals.push_back({x, x});
+        open = !open;
+    }
+    if (open) intervals.back().to = profile.back().x;
+    return intervals;
+}
+
+/// The integral of a profile.
+double integral(const std::vector<Knot>& profile, double from, double to) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+        const Knot a = profile[i], b = profile[i + 1];
+        const double low = std::max(from, a.x), high = std::min(to, b.x);
+        if (high <= low) continue;
+        const double mid = a.height + ((low + high) / 2 - a.x) / (b.x - a.x) * (b.height - a.height);
+        sum += mid * (high - low);
+    }
+    return sum;
+}
+double highest(const std::vector<Knot>& profile, const Interval& within) {
+    double most = 0;
+    for (const Knot& knot : profile)
+        if (knot.x >= within.from && knot.x <= within.to) most = std::max(most, knot.height);
+    return most;
+}
+
+/// Where a band is to be raked when lines end at `share` of it, or of its highest place nearby.
+std::vector<Interval> wanted(const std::vector<Knot>& profile, double height, double share) {
+    std::vector<Interval> lines;
+    for (const Interval& piece : above(profile, 1e-6 * height)) {
+        const double most = highest(profile, piece);
+        if (most < least_share * height) continue;
+        for (const Interval& line : above(profile, std::max(share * most, 1e-6 * height)))
+            if (line.to > piece.from && line.from < piece.to)
+                lines.push_back({std::max(line.from, piece.from), std::min(line.to, piece.to)});
+    }
+    return lines;
+}
+
+/// Overlap and bare sand of the rows, m^2; the latter weighed.
+double waste_of(const Regions& target, const Bands& bands) {
+    double waste = 0;
+    for (const auto& portions : portions_of(target, bands)) {
+        const std::vector<Knot> profile = profile_of(portions);
+        if (profile.empty()) continue;
+        double raked = 0, served = 0;
+        for (const Interval& line : wanted(profile, bands.height, end_shares[2])) {
+            raked += bands.height * (line.to - line.from);
+            served += integral(profile, line.from, line.to);
+            // Less than half a band: the border's own pass would go over raked sand.
+            for (const Interval& full : above(profile, bands.height / 2))
+                raked -= half_cost * bands.height * std::max(0.0, std::min(full.to, line.to) - std::max(full.from, line.from));
+            raked += half_cost * bands.height * (line.to - line.from);
+        }
+        const double all = integral(profile, profile.front().x, profile.back().x);
+        waste += raked - served + missing_cost * (all - served);
+    }
+    return waste;
+}
+
+/// Rows a spacing apart, flush with the edge along the lines that wastes least. Without a border the first
+/// and the last row are flush with the ends and the others between: none may reach beyond.
+Bands bands_of(const Regions& target, const Options& options) {
+    const Box box = bounds(target);
+    const double s = options.spacing;
+    if (!options.border) {
+        const double between_ends = box.height() - options.width;
+        if (between_ends <= 0) return {box.low.y, box.height(), box.height(), 1};
+        const int steps = std::max(1, static_cast<int>(std::ceil(between_ends / s - line_slack)));
+        const double pitch = between_ends / steps;
+        return {box.low.y + (options.width - pitch) / 2, pitch, pitch, steps + 1};
+    }
+    std::vector<std::pair<double, double>> flush{{-std::numeric_limits<double>::infinity(), box.low.y},
+                                                 {-std::numeric_limits<double>::infinity(), box.high.y}};
+    const auto ring = [&](const Polygon& polygon) {
+        for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+            const Point edge = polygon[i] - polygon[j];
+            if (std::abs(edge.y) < 0.02 * std::abs(edge.x) && std::abs(edge.x) > s)
+                flush.emplace_back(-std::abs(edge.x), (polygon[i].y + polygon[j].y) / 2);
+        }
+    };
+    for (const Region& region : target) {
+        ring(region.outer);
+        for (const Polygon& hole : region.holes) ring(hole);
+    }
+    std::ranges::sort(flush);
+    Bands best{};
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<double> tried;
+    for (std::size_t i = 0; i < flush.size() && tried.size() < most_phases; ++i) {
+        const double phase = flush[i].second - box.low.y;
+        const double low = box.low.y + phase - s * std::ceil(phase / s - line_slack);
+        if (std::ranges::any_of(tried, [&](double other) { return std::abs(other - low) < line_slack * s; }))
+            continue;
+        tried.push_back(low);
+        const Bands bands{low, s, s, std::max(1, static_cast<int>(std::ceil((box.high.y - low) / s - line_slack)))};
+        if (const double waste = waste_of(target, bands); waste < least - 1e-9) {
+            least = waste;
+            best = bands;
+        }
+    }
+    return best;
+}
+
+/// How far an edge near x at the heights y -+ h/4 leans over a unit of height; 0 where there is none nearby.
+double slant_at(const std::vector<Portion>& portions, double x, double y, double h) {
+    double found[2];
+    for (int side : {0, 1}) {
+        const double height = y + (side == 0 ? -h : h) / 4;
+        double nearest = 1.5 * h;
+        found[side] = std::numeric_limits<double>::infinity();
+        for (const Portion& p : portions) {
+            if (height < p.a.y || height >= p.b.y) continue;
+            const double at = p.a.x + (height - p.a.y) / (p.b.y - p.a.y) * (p.b.x - p.a.x);
+            if (std::abs(at - x) < nearest) {
+                nearest = std::abs(at - x);
+                found[side] = at;
+            }
+        }
+        if (!std::isfinite(found[side])) return 0;
+    }
+    return (found[1] - found[0]) / (h / 2);
+}
+
+struct Piece {
+    int row;
+    double from, to, y;
+    double lean_from, lean_to;  ///< of the edges at its ends, 0: none to turn at
+};
+
+/// The middle of what a band holds of an area, mean over the line.
+double middle_of(const Regions& target, const Interval& line, double low, double high) {
+    double sum = 0;
+    constexpr double places[] = {0.25, 0.5, 0.75};
+    for (double share : places) {
+        const double x = line.from + share * (line.to - line.from);
+        std::vector<double> heights;
+        const auto ring = [&](const Polygon& polygon) {
+            for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+                const Point a = polygon[j], b = polygon[i];
+                if ((a.x > x) == (b.x > x)) continue;
+                heights.push_back(std::clamp(a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y), low, high));
+            }
+        };
+        for (const Region& region : target) {
+            ring(region.outer);
+            for (const Polygon& hole : region.holes) ring(hole);
+        }
+        std::ranges::sort(heights);
+        double held = 0, moment = 0;
+        for (std::size_t i = 0; i + 1 < heights.size(); i += 2) {
+            held += heights[i + 1] - heights[i];
+            moment += (heights[i + 1] - heights[i]) * (heights[i + 1] + heights[i]) / 2;
+        }
+        sum += held > 0 ? moment / held : (low + high) / 2;
+    }
+    return sum / std::size(places);
+}
+
+/// The bands of whole bars, centred on the rows.
+Bands bars_of(const Bands& bands, double width) {
+    const double height = width * (1 - bar_slack);
+    return {bands.low + (bands.height - height) / 2, bands.pitch, height, bands.count};
+}
+
+/// A line's points: at a slanted end the bar turns flush with the edge.
+Polyline points_of(const Piece& piece, double width) {
+    Polyline points;
+    const auto step = [&](double side, double lean) {
+        return turn_step * width / std::hypot(1, lean) * Point{side, -side * lean};
+    };
+    const Point from{piece.from, piece.y}, to{piece.to, piece.y};
+    if (piece.lean_from != 0) points.push_back(from + step(-1, piece.lean_from));
+    points.push_back(from);
+    points.push_back(to);
+    if (piece.lean_to != 0) points.push_back(to + step(1, piece.lean_to));
+    return points;
+}
+
+}  // namespace
+
+Regions turned(Regions regions, double angle) {
+    const Affine map{std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle), 0, 0};
+    for (Region& region : regions) {
+        for (Point& p : region.outer) p = apply(map, p);
+        for (Polygon& hole : region.holes)
+            for (Point& p : hole) p = apply(map, p);
+    }
+    return regions;
+}
+
+std::vector<Line> lines_of(const Segment& segment, const Regions& region, const Options& options) {
+    const double w = options.width;
+    const Regions target = turned(segment.target, -segment.direction);
+    const Regions within = turned(region, -segment.direction);
+    const Bands bands = bands_of(target, options);
+    const double h = bands.height;
+    const auto portions = portions_of(target, bands);
+    const auto walls = portions_of(within, bars_of(bands, w));
+    std::vector<std::vector<Knot>> profiles, rooms;
+    for (const auto& of_band : portions) profiles.push_back(profile_of(of_band));
+    for (const auto& of_bar : walls) rooms.push_back(profile_of(of_bar));
+
+    // Ends are turned flush only by a rake that is lifted after them: one that goes on turns anyway.
+    const bool turns_ends = options.turn_radius == 0 && !options.rake_turns && !options.one_stroke;
+    const auto lean = [&](int k, double x) {
+        const double slant = slant_at(portions[k], x, bands.low + k * bands.pitch + h / 2, h);
+        return std::abs(slant) < least_slant ? 0 : std::clamp(slant, -most_slant, most_slant);
+    };
+    const double budget = bare_budget * area(target);
+    std::vector<Piece> pieces;
+    for (double share : end_shares) {
+        pieces.clear();
+        double bare = 0;
+        for (int k = 0; k < bands.count; ++k) {
+            if (profiles[k].empty()) continue;
+            bare += integral(profiles[k], profiles[k].front().x, profiles[k].back().x);
+            for (const Interval& line : wanted(profiles[k], h, share)) {
+                bare -= integral(profiles[k], line.from, line.to);
+                Piece piece{k, line.from, line.to, bands.low + k * bands.pitch + h / 2, 0, 0};
+                if (turns_ends) {
+                    piece.lean_from = lean(k, line.from);
+                    piece.lean_to = lean(k, line.to);
+                    for (double slant : {piece.lean_from, piece.lean_to})
+                        bare -= share * share * h * h / 2 * std::atan(std::abs(slant));
+                }
+                pieces.push_back(piece);
+            }
+        }
+        if (bare <= budget) break;
+    }
+
+    const Affine back{std::cos(segment.direction), std::sin(segment.direction), -std::sin(segment.direction),
+                      std::cos(segment.direction), 0, 0};
+    std::vector<Line> lines;
+    const auto place = [&](const Piece& piece, const std::vector<Knot>& room) {
+        for (const Interval& free : above(room, w * (1 - 2 * bar_slack))) {
+            Piece kept = piece;
+            if (free.from > kept.from) kept.from = free.from, kept.lean_from = 0;
+            if (free.to < kept.to) kept.to = free.to, kept.lean_to = 0;
+            if (kept.to - kept.from < shortest_line * w) continue;
+            Line line{points_of(kept, w),
+                      apply(back, {kept.from, kept.y}),
+                      apply(back, {kept.to, kept.y}),
+                      kept.row,
+                      kept.from,
+                      kept.to};
+            for (Point& p : line.points) p = apply(back, p);
+            lines.push_back(std::move(line));
+        }
+    };
+    for (Piece& piece : pieces) {
+        if (!options.border || highest(profiles[piece.row], {piece.from, piece.to}) > full_share * h) {
+            place(piece, rooms[piece.row]);
+            continue;
+        }
+        // The row is nowhere full: what is over goes to both neighbours alike.
+        const double low = bands.low + piece.row * bands.pitch;
+        piece.y = middle_of(target, {piece.from, piece.to}, low, low + h);
+        const Bands bar = bars_of({piece.y - h / 2, h, h, 1}, w);
+        place(piece, profile_of(portions_of(within, bar)[0]));
+    }
+    return lines;
+}
+
+}  // namespace strandline::fill

@@ -1,0 +1,391 @@
+// In what order the lines and border rings are raked, and how the rake gets from one to the next.
+// Key: a unit is what is raked in one go: a cell (lines that follow one another row by row, Choset's
+// boustrophedon cell) or a border ring. A unit may be next when what is left without it stays connected.
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
+
+#include "path/fill/corridors.hpp"
+#include "path/fill/zigzag.hpp"
+
+namespace strandline::fill {
+namespace {
+
+// Shares of the rake's width:
+constexpr double near_by = 1.15;      // a pass whose middle is no farther can be gone over to
+constexpr double row_end_reach = 2;   // from a line's end to the end of the next
+constexpr double leap = 1.2;          // along a line: the way to the next line first leaves the raked one
+constexpr double dead_end_cost = 20;  // ending where no sand that is still to come is near
+constexpr double early_ring_cost = 3; // a border ring before a cell that reaches it: its turns would lie on the ring
+constexpr double turn_reach = 3;      // of the spacing: the longest raked turn
+
+struct Unit {
+    std::vector<int> corridors;  // of a cell: its lines in order; of a ring: it
+    bool ring = false, outermost = false;
+};
+struct Plan {
+    Corridors corridors;
+    std::vector<Unit> units;
+    std::vector<int> unit_of;                  // by corridor
+    std::vector<const Line*> line_of;          // by corridor; null: a ring
+    std::vector<std::array<int, 2>> ends_of;   // stops of a line's left and right end
+    std::vector<std::vector<int>> neighbours;  // of units
+};
+
+bool overlap(const Line& a, const Line& b) { return std::min(a.to, b.to) > std::max(a.from, b.from); }
+
+/// Lines that follow one another row by row without a choice are one cell. `first`: number of the first line.
+void add_cells(const std::vector<Line>& lines, int first, const Options& options, Plan& plan) {
+    const auto add = [&](int line) {
+        plan.units.push_back({{line}, false, false});
+        plan.unit_of[line] = static_cast<int>(plan.units.size()) - 1;
+    };
+    const auto n = static_cast<int>(lines.size());
+    std::vector<int> ups(n, 0), downs(n, 0), below(n, -1);
+    for (int i = 0, start = 0; i < n; ++i) {
+        while (lines[start].row < lines[i].row - 1) ++start;
+        for (int k = start; k < i && lines[k].row < lines[i].row; ++k)
+            if (overlap(lines[k], lines[i])) ++ups[k], ++downs[i], below[i] = k;
+    }
+    for (int i = 0; i < n; ++i) {
+        const bool goes_on = options.partition == Partition::none
+                                 ? i > 0
+                                 : downs[i] == 1 && ups[below[i]] == 1;
+        if (!goes_on) {
+            add(first + i);
+            continue;
+        }
+        const int unit = plan.unit_of[first + (options.partition == Partition::none ? i - 1 : below[i])];
+        plan.units[unit].corridors.push_back(first + i);
+        plan.unit_of[first + i] = unit;
+    }
+}
+
+void connect(Plan& plan, int stop, int other) {
+    link(plan.corridors, stop, other);
+    const int a = plan.unit_of[plan.corridors.stops[stop].corridor];
+    const int b = plan.unit_of[plan.corridors.stops[other].corridor];
+    if (a == b) return;
+    plan.neighbours[a].push_back(b);
+    plan.neighbours[b].push_back(a);
+}
+
+Plan planned(const std::vector<std::vector<Line>>& segments, const std::vector<Ring>& borders,
+             const Regions& room, const Options& options) {
+    Plan plan;
+    for (const auto& lines : segments)
+        for (const Line& line : lines) {
+            plan.corridors.of.push_back({ring_of({line.left, line.right}, 0, false), {}, false});
+            plan.line_of.push_back(&line);
+        }
+    const auto line_count = static_cast<int>(plan.line_of.size());
+    for (const Ring& ring : borders) {
+        plan.corridors.of.push_back({ring, {}, false});
+        plan.line_of.push_back(nullptr);
+    }
+    plan.unit_of.assign(plan.corridors.of.size(), -1);
+    int first = 0;
+    for (const auto& lines : segments) {
+        add_cells(lines, first, options, plan);
+        first += static_cast<int>(lines.size());
+    }
+    for (int r = line_count; r < static_cast<int>(plan.corridors.of.size()); ++r) {
+        const bool outermost = std::ranges::any_of(
+            room, [&](const Region& part) { return contains(grown(plan.corridors.of[r].line.box, 1e-9), bounds(part).low) &&
+                                                   contains(grown(plan.corridors.of[r].line.box, 1e-9), bounds(part).high); });
+        plan.unit_of[r] = static_cast<int>(plan.units.size());
+        plan.units.push_back({{r}, true, outermost});
+    }
+    plan.neighbours.resize(plan.units.size());
+
+    const double reach = near_by * options.width;
+    for (int i = 0; i < line_count; ++i) {
+        const Ring& line = plan.corridors.of[i].line;
+        plan.ends_of.push_back({stop_at(plan.corridors, i, 0), stop_at(plan.corridors, i, line.length)});
+    }
+    for (int i = 0; i < line_count; ++i)
+        for (int side : {0, 1}) {
+            const int end = plan.ends_of[i][side];
+            const Point p = plan.corridors.stops[end].at;
+            for (int k = 0; k < static_cast<int>(plan.corridors.of.size()); ++k) {
+                const Ring& other = plan.corridors.of[k].line;
+                if (k == i || !contains(grown(other.box, reach), p)) continue;
+                const Foot foot = nearest(other, p);
+                if (foot.distance <= reach) connect(plan, end, stop_at(plan.corridors, k, foot.s));
+            }
+        }
+    // Along slanted edges the ends of neighbouring rows are farther apart than the rows.
+    for (const Unit& unit : plan.units)
+        for (std::size_t i = 0; !unit.ring && i + 1 < unit.corridors.size(); ++i)
+            for (int side : {0, 1}) {
+                const int a = plan.ends_of[unit.corridors[i]][side], b = plan.ends_of[unit.corridors[i + 1]][side];
+                const double apart = distance(plan.corridors.stops[a].at, plan.corridors.stops[b].at);
+                if (apart > reach && apart < row_end_reach * options.width) connect(plan, a, b);
+            }
+    sort_stops(plan.corridors);
+    for (auto& near : plan.neighbours) {
+        std::ranges::sort(near);
+        near.erase(std::ranges::unique(near).begin(), near.end());
+    }
+    return plan;
+}
+
+/// Of each unit: whether the others hang together without it, and how many hang together with it. Tarjan
+/// (1972), without recursion.
+struct Ties {
+    std::vector<bool> needed;
+    std::vector<int> group_size;
+};
+Ties ties_of(const Plan& plan, const std::vector<bool>& done) {
+    const auto n = static_cast<int>(plan.units.size());
+    Ties ties{std::vector<bool>(n, false), std::vector<int>(n, 0)};
+    std::vector<int> order(n, -1), low(n, 0), before(n, -1), group(n, -1), sizes;
+    std::vector<std::size_t> next(n, 0);
+    int count = 0;
+    for (int root = 0; root < n; ++root) {
+        if (done[root] || order[root] >= 0) continue;
+        int branches = 0;
+        const int number = static_cast<int>(sizes.size());
+        sizes.push_back(0);
+        std::vector<int> path{root};
+        order[root] = low[root] = count++;
+        while (!path.empty()) {
+            const int u = path.back();
+            if (next[u] == 0) group[u] = number, ++sizes[number];
+            if (next[u] < plan.neighbours[u].size()) {
+                const int v = plan.neighbours[u][next[u]++];
+                if (done[v]) continue;
+                if (order[v] < 0) {
+                    order[v] = low[v] = count++;
+                    before[v] = u;
+                    path.push_back(v);
+                } else if (v != before[u]) {
+                    low[u] = std::min(low[u], order[v]);
+                }
+                continue;
+            }
+            if (next[u] == 0) ++next[u];
+            path.pop_back();
+            const int parent = before[u];
+            if (parent < 0) continue;
+            low[parent] = std::min(low[parent], low[u]);
+            if (parent == root)
+                ++branches;
+            else if (low[u] >= order[parent])
+                ties.needed[parent] = true;
+        }
+        ties.needed[root] = branches > 1;
+    }
+    for (int u = 0; u < n; ++u)
+        if (group[u] >= 0) ties.group_size[u] = sizes[group[u]];
+    return ties;
+}
+
+/// A unit's way in: from its first line or its last, from the left or from the right; of a ring: the stop.
+struct Entry {
+    int unit = -1, stop = -1, end = -1;
+    bool from_top = false, from_right = false;
+    double cost = std::numeric_limits<double>::infinity();
+    Polyline way;
+};
+std::vector<Entry> entries_of(const Plan& plan, int u) {
+    const Unit& unit = plan.units[u];
+    std::vector<Entry> entries;
+    if (unit.ring) {
+        for (int stop : plan.corridors.of[unit.corridors[0]].stops) entries.push_back({u, stop, stop, false, false, 0, {}});
+        return entries;
+    }
+    const bool odd = unit.corridors.size() % 2 == 1;
+    for (bool top : {false, true})
+        for (bool right : {false, true}) {
+            const int first = top ? unit.corridors.back() : unit.corridors.front();
+            const int last = top ? unit.corridors.front() : unit.corridors.back();
+            entries.push_back({u, plan.ends_of[first][right], plan.ends_of[last][right != odd], top, right, 0, {}});
+        }
+    return entries;
+}
+
+/// Whether something of another unit that is still to come is next to a stop.
+bool leads_on(const Plan& plan, const std::vector<bool>& done, int stop, int unit) {
+    return std::ranges::any_of(plan.corridors.stops[stop].links, [&](int other) {
+        const int there = plan.unit_of[plan.corridors.stops[other].corridor];
+        return there != unit && !done[there];
+    });
+}
+
+/// The cheapest entry of all that may be next.
+Entry next_entry(const Plan& plan, const std::vector<bool>& done, int left, int here, Router& router,
+                 const Options& options) {
+    const Ties ties = ties_of(plan, done);
+    const auto may = [&](int u) {
+        if (done[u]) return false;
+        if (plan.units[u].outermost) return ties.group_size[u] == 1;
+        return !ties.needed[u];
+    };
+    std::vector<std::vector<Entry>> at_stop(plan.corridors.stops.size());
+    Entry best;
+    for (int u = 0; u < static_cast<int>(plan.units.size()); ++u) {
+        if (!may(u)) continue;
+        for (Entry& entry : entries_of(plan, u)) {
+            if (left > 1 && !leads_on(plan, done, entry.end, u)) entry.cost += dead_end_cost * options.width;
+            if (plan.units[u].ring)
+                entry.cost += early_ring_cost * options.width *
+                              std::ranges::count_if(plan.neighbours[u], [&](int v) { return !done[v]; });
+            at_stop[entry.stop].push_back(entry);
+        }
+    }
+    const auto offer = [&](const Entry& entry, double cost) {
+        if (entry.cost + cost >= best.cost) return;
+        best = entry;
+        best.cost += cost;
+    };
+    if (here < 0) {
+        for (const auto& entries : at_stop)
+            for (const Entry& entry : entries) offer(entry, 0);
+    } else {
+        router.start(here);
+        while (const auto reached = router.next()) {
+            if (reached->cost >= best.cost) break;
+            for (const Entry& entry : at_stop[reached->stop]) offer(entry, reached->cost);
+        }
+        if (best.unit >= 0) best.way = router.way_to(best.stop);
+        const Point from = plan.corridors.stops[here].at;
+        if (best.unit < 0)
+            for (const auto& entries : at_stop)
+                for (const Entry& entry : entries) offer(entry, distance(from, plan.corridors.stops[entry.stop].at));
+    }
+    if (best.unit < 0)  // rings that nothing comes near
+        for (int u = 0; u < static_cast<int>(plan.units.size()) && best.unit < 0; ++u)
+            if (may(u)) best = {u, -1, -1, false, false, 0, {}};
+    return best;
+}
+
+/// The ways and passes as they come; joins what the rake does not lift for.
+class Drive {
+  public:
+    Drive(const Regions& room, const Options& options)
+        : options_(options),
+          floor_(options.rake_turns && !options.one_stroke ? inset(room, -0.01 * options.width) : Regions{}) {}
+    bool begun() const { return !passes_.empty(); }
+    Point here() const { return passes_.back().line.back(); }
+    /// `turn`: the line is the next row of the same cell.
+    void rake(Polyline line, Polyline way, bool turn) {
+        const bool joined = begun() && (options_.one_stroke || (turn && way.empty() && free_turn(line.front())));
+        if (!joined) {
+            passes_.push_back({std::move(way), std::move(line)});
+            return;
+        }
+        Polyline& last = passes_.back().line;
+        last.insert(last.end(), way.begin(), way.end());
+        last.insert(last.end(), line.begin(), line.end());
+    }
+    /// With their turns rounded, as far as there is room between two lines.
+    std::vector<Pass> passes() && {
+        const double radius = std::min(options_.turn_radius, options_.spacing / 2);
+        for (Pass& pass : passes_)
+            if (pass.line.size() > 3) pass.line = rounded(pass.line, radius);
+        return std::move(passes_);
+    }
+
+  private:
+    /// Whether the rake may stay down straight to `to`.
+    bool free_turn(Point to) const {
+        if (!options_.rake_turns || distance(here(), to) >= turn_reach * options_.spacing) return false;
+        const auto crossed = [&](const Polygon& polygon) {
+            for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
+                if (crossing(here(), to, polygon[j], polygon[i])) return true;
+            return false;
+        };
+        return std::ranges::none_of(floor_, [&](const Region& part) {
+            return crossed(part.outer) || std::ranges::any_of(part.holes, crossed);
+        });
+    }
+    const Options& options_;
+    Regions floor_;
+    std::vector<Pass> passes_;
+};
+
+/// Where a way begins and ends is said by the passes.
+Polyline corners_of(Polyline way) {
+    if (way.size() <= 2) return {};
+    return {way.begin() + 1, way.end() - 1};
+}
+
+Polyline way_between(Router& router, int from, int to) {
+    router.start(from);
+    while (const auto reached = router.next())
+        if (reached->stop == to) return router.way_to(to);
+    return {};
+}
+
+/// Whether a line ends at a border ring that is raked: the way to the next line must keep off it.
+bool beside_raked(const Plan& plan, int line, bool right) {
+    return std::ranges::any_of(plan.corridors.stops[plan.ends_of[line][right]].links, [&](int other) {
+        const Corridor& corridor = plan.corridors.of[plan.corridors.stops[other].corridor];
+        return corridor.raked && corridor.line.closed;
+    });
+}
+
+/// The lines of a cell, back and forth.
+void rake_cell(Plan& plan, const Entry& entry, Router& router, const Options& options, Drive& drive) {
+    std::vector<int> lines = plan.units[entry.unit].corridors;
+    if (entry.from_top) std::ranges::reverse(lines);
+    bool from_right = entry.from_right;
+    Polyline way = corners_of(entry.way);
+    for (std::size_t i = 0; i < lines.size(); ++i, from_right = !from_right) {
+        const Line& line = *plan.line_of[lines[i]];
+        bool turn = false;
+        if (i > 0) {
+            const Line& last = *plan.line_of[lines[i - 1]];
+            turn = std::abs(last.row - line.row) == 1 && overlap(last, line);
+            if (turn) {
+                // Where the next line begins far back along the raked one: over to it, then along it.
+                const Point over = nearest_on_segment(drive.here(), line.left, line.right);
+                const Point start = from_right ? line.right : line.left;
+                const bool aside = beside_raked(plan, lines[i - 1], from_right);
+                if (const double along = distance(over, start); along > leap * options.width || (along > 0 && aside))
+                    way = {over};
+                else if (aside)
+                    way = {nearest_on_segment(start, last.left, last.right)};
+            } else {
+                way = corners_of(way_between(router, plan.ends_of[lines[i - 1]][from_right],
+                                             plan.ends_of[lines[i]][from_right]));
+            }
+        }
+        drive.rake(from_right ? reversed(line.points) : line.points, std::exchange(way, {}), turn);
+        plan.corridors.of[lines[i]].raked = true;
+    }
+}
+
+}  // namespace
+
+std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const std::vector<Ring>& borders,
+                         const Regions& room, const Options& options) {
+    Plan plan = planned(segments, borders, room, options);
+    Router router(plan.corridors);
+    Drive drive(room, options);
+    std::vector<bool> done(plan.units.size(), false);
+    int here = -1;
+    for (int left = static_cast<int>(plan.units.size()); left > 0; --left) {
+        const Entry entry = next_entry(plan, done, left, here, router, options);
+        done[entry.unit] = true;
+        const Unit& unit = plan.units[entry.unit];
+        if (!unit.ring) {
+            rake_cell(plan, entry, router, options, drive);
+        } else {
+            const int corridor = unit.corridors[0];
+            const Ring& ring = plan.corridors.of[corridor].line;
+            const double s = entry.stop >= 0 ? plan.corridors.stops[entry.stop].s
+                             : drive.begun() ? nearest(ring, drive.here()).s
+                                             : 0;
+            const double radius = options.round_corners ? options.turn_radius : 0;
+            drive.rake(rounded(along(ring, s, ring.length), radius), corners_of(entry.way), false);
+            plan.corridors.of[corridor].raked = true;
+        }
+        here = entry.end;
+    }
+    return std::move(drive).passes();
+}
+
+}  // namespace strandline::fill
