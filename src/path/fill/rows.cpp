@@ -13,6 +13,7 @@ constexpr double least_share = 0.06;  // of a band: rows that would rake less ar
 constexpr double full_share = 0.95;   // of a band: less anywhere in a line, and it goes to the middle of that
 constexpr double shortest_line = 0.1;  // of the width: shorter ones are left to the border
 constexpr double missing_cost = 3;     // metres raked that a metre not raked counts for
+constexpr double end_gap_cost = 2;       // the same at line ends
 constexpr double half_cost = 0.5;      // metres raked that a metre counts for in a band less than half to be raked
 constexpr double line_slack = 0.01;    // of the spacing: an area that is higher by less gets no further row
 constexpr int most_phases = 6;         // edges along the lines that rows are tried flush with
@@ -158,71 +159,6 @@ std::vector<Interval> wanted(const std::vector<Knot>& profile, double height, do
     return lines;
 }
 
-/// Overlap and bare sand of the rows, m^2; the latter weighed.
-double waste_of(const Regions& target, const Bands& bands) {
-    double waste = 0;
-    for (const auto& portions : portions_of(target, bands)) {
-        const std::vector<Knot> profile = profile_of(portions);
-        if (profile.empty()) continue;
-        double raked = 0, served = 0;
-        for (const Interval& line : wanted(profile, bands.height, end_shares[2])) {
-            raked += bands.height * (line.to - line.from);
-            served += integral(profile, line.from, line.to);
-            // Less than half a band: the border's own pass would go over raked sand.
-            for (const Interval& full : above(profile, bands.height / 2))
-                raked -= half_cost * bands.height * std::max(0.0, std::min(full.to, line.to) - std::max(full.from, line.from));
-            raked += half_cost * bands.height * (line.to - line.from);
-        }
-        const double all = integral(profile, profile.front().x, profile.back().x);
-        waste += raked - served + missing_cost * (all - served);
-    }
-    return waste;
-}
-
-/// Rows a spacing apart, flush with the edge along the lines that wastes least. Without a border the first
-/// and the last row are flush with the ends and the others between: none may reach beyond.
-Bands bands_of(const Regions& target, const Options& options) {
-    const Box box = bounds(target);
-    const double s = options.spacing;
-    if (!options.border) {
-        const double between_ends = box.height() - options.width;
-        if (between_ends <= 0) return {box.low.y, box.height(), box.height(), 1};
-        const int steps = std::max(1, static_cast<int>(std::ceil(between_ends / s - line_slack)));
-        const double pitch = between_ends / steps;
-        return {box.low.y + (options.width - pitch) / 2, pitch, pitch, steps + 1};
-    }
-    std::vector<std::pair<double, double>> flush{{-std::numeric_limits<double>::infinity(), box.low.y},
-                                                 {-std::numeric_limits<double>::infinity(), box.high.y}};
-    const auto ring = [&](const Polygon& polygon) {
-        for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-            const Point edge = polygon[i] - polygon[j];
-            if (std::abs(edge.y) < 0.02 * std::abs(edge.x) && std::abs(edge.x) > s)
-                flush.emplace_back(-std::abs(edge.x), (polygon[i].y + polygon[j].y) / 2);
-        }
-    };
-    for (const Region& region : target) {
-        ring(region.outer);
-        for (const Polygon& hole : region.holes) ring(hole);
-    }
-    std::ranges::sort(flush);
-    Bands best{};
-    double least = std::numeric_limits<double>::infinity();
-    std::vector<double> tried;
-    for (std::size_t i = 0; i < flush.size() && tried.size() < most_phases; ++i) {
-        const double phase = flush[i].second - box.low.y;
-        const double low = box.low.y + phase - s * std::ceil(phase / s - line_slack);
-        if (std::ranges::any_of(tried, [&](double other) { return std::abs(other - low) < line_slack * s; }))
-            continue;
-        tried.push_back(low);
-        const Bands bands{low, s, s, std::max(1, static_cast<int>(std::ceil((box.high.y - low) / s - line_slack)))};
-        if (const double waste = waste_of(target, bands); waste < least - 1e-9) {
-            least = waste;
-            best = bands;
-        }
-    }
-    return best;
-}
-
 /// How far an edge near x at the heights y -+ h/4 leans over a unit of height; 0 where there is none nearby.
 double slant_at(const std::vector<Portion>& portions, double x, double y, double h) {
     double found[2];
@@ -241,6 +177,93 @@ double slant_at(const std::vector<Portion>& portions, double x, double y, double
         if (!std::isfinite(found[side])) return 0;
     }
     return (found[1] - found[0]) / (h / 2);
+}
+
+/// The bar turns flush with an edge at a line's end where the rake is lifted after it: one that goes on
+/// turns anyway. How far the edge leans there, 0: no turn.
+double turn_at_end(const std::vector<Portion>& portions, double x, double y, double h, const Options& options) {
+    if (options.turn_radius > 0 || options.rake_turns || options.one_stroke) return 0;
+    const double slant = slant_at(portions, x, y, h);
+    return std::abs(slant) < least_slant ? 0 : std::clamp(slant, -most_slant, most_slant);
+}
+/// What such a turn rakes beyond an end at `share` of a band.
+double turned_area(double lean, double share, double h) {
+    return share * share * h * h / 2 * std::atan(std::abs(lean));
+}
+
+/// Overlap and bare sand of the rows, m^2, weighed.
+double waste_of(const Regions& target, const Bands& bands, const Options& options) {
+    double waste = 0, y = bands.low + bands.height / 2 - bands.pitch;
+    for (const auto& portions : portions_of(target, bands)) {
+        y += bands.pitch;
+        const std::vector<Knot> profile = profile_of(portions);
+        if (profile.empty()) continue;
+        double left = integral(profile, profile.front().x, profile.back().x);  // by rows not raked at all
+        for (const Interval& piece : above(profile, 1e-6 * bands.height))
+            if (highest(profile, piece) >= least_share * bands.height)
+                left -= integral(profile, piece.from, piece.to);
+        double raked = 0, served = 0, half = 0, turned_flush = 0;
+        for (const Interval& line : wanted(profile, bands.height, end_shares[0])) {
+            raked += bands.height * (line.to - line.from);
+            served += integral(profile, line.from, line.to);
+            half += bands.height * (line.to - line.from);
+            for (double x : {line.from, line.to})
+                turned_flush += turned_area(turn_at_end(portions, x, y, bands.height, options), end_shares[0], bands.height);
+            // Less than half a band: the border's own pass would go over raked sand.
+            for (const Interval& full : above(profile, bands.height / 2))
+                half -= bands.height * std::max(0.0, std::min(full.to, line.to) - std::max(full.from, line.from));
+        }
+        const double ends =
+            integral(profile, profile.front().x, profile.back().x) - left - served - turned_flush;
+        waste += raked - served + missing_cost * left + end_gap_cost * std::max(0.0, ends) + half_cost * half;
+    }
+    return waste;
+}
+
+struct Layout {
+    Bands bands;
+    double waste;
+};
+/// Rows a spacing apart, flush with the edge along the lines that wastes least. Without a border the first
+/// and the last row are flush with the ends and the others between: none may reach beyond.
+Layout layout_of(const Regions& target, const Options& options) {
+    const Box box = bounds(target);
+    const double s = options.spacing;
+    if (!options.border) {
+        const double between_ends = box.height() - options.width;
+        Bands bands{box.low.y, box.height(), box.height(), 1};
+        if (between_ends <= 0) return {bands, waste_of(target, bands, options)};
+        const int steps = std::max(1, static_cast<int>(std::ceil(between_ends / s - line_slack)));
+        const double pitch = between_ends / steps;
+        bands = {box.low.y + (options.width - pitch) / 2, pitch, pitch, steps + 1};
+        return {bands, waste_of(target, bands, options)};
+    }
+    std::vector<std::pair<double, double>> flush{{-std::numeric_limits<double>::infinity(), box.low.y},
+                                                 {-std::numeric_limits<double>::infinity(), box.high.y}};
+    const auto ring = [&](const Polygon& polygon) {
+        for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+            const Point edge = polygon[i] - polygon[j];
+            if (std::abs(edge.y) < 0.02 * std::abs(edge.x) && std::abs(edge.x) > s)
+                flush.emplace_back(-std::abs(edge.x), (polygon[i].y + polygon[j].y) / 2);
+        }
+    };
+    for (const Region& region : target) {
+        ring(region.outer);
+        for (const Polygon& hole : region.holes) ring(hole);
+    }
+    std::ranges::sort(flush);
+    Layout best{{}, std::numeric_limits<double>::infinity()};
+    std::vector<double> tried;
+    for (std::size_t i = 0; i < flush.size() && tried.size() < most_phases; ++i) {
+        const double phase = flush[i].second - box.low.y;
+        const double low = box.low.y + phase - s * std::ceil(phase / s - line_slack);
+        if (std::ranges::any_of(tried, [&](double other) { return std::abs(other - low) < line_slack * s; }))
+            continue;
+        tried.push_back(low);
+        const Bands bands{low, s, s, std::max(1, static_cast<int>(std::ceil((box.high.y - low) / s - line_slack)))};
+        if (const double waste = waste_of(target, bands, options); waste < best.waste - 1e-9) best = {bands, waste};
+    }
+    return best;
 }
 
 struct Piece {
@@ -310,11 +333,15 @@ Regions turned(Regions regions, double angle) {
     return regions;
 }
 
+double waste_of(const Segment& segment, const Options& options) {
+    return layout_of(turned(segment.target, -segment.direction), options).waste;
+}
+
 std::vector<Line> lines_of(const Segment& segment, const Regions& region, const Options& options) {
     const double w = options.width;
     const Regions target = turned(segment.target, -segment.direction);
     const Regions within = turned(region, -segment.direction);
-    const Bands bands = bands_of(target, options);
+    const Bands bands = layout_of(target, options).bands;
     const double h = bands.height;
     const auto portions = portions_of(target, bands);
     const auto walls = portions_of(within, bars_of(bands, w));
@@ -322,12 +349,6 @@ std::vector<Line> lines_of(const Segment& segment, const Regions& region, const 
     for (const auto& of_band : portions) profiles.push_back(profile_of(of_band));
     for (const auto& of_bar : walls) rooms.push_back(profile_of(of_bar));
 
-    // Ends are turned flush only by a rake that is lifted after them: one that goes on turns anyway.
-    const bool turns_ends = options.turn_radius == 0 && !options.rake_turns && !options.one_stroke;
-    const auto lean = [&](int k, double x) {
-        const double slant = slant_at(portions[k], x, bands.low + k * bands.pitch + h / 2, h);
-        return std::abs(slant) < least_slant ? 0 : std::clamp(slant, -most_slant, most_slant);
-    };
     const double budget = bare_budget * area(target);
     std::vector<Piece> pieces;
     for (double share : end_shares) {
@@ -339,12 +360,9 @@ std::vector<Line> lines_of(const Segment& segment, const Regions& region, const 
             for (const Interval& line : wanted(profiles[k], h, share)) {
                 bare -= integral(profiles[k], line.from, line.to);
                 Piece piece{k, line.from, line.to, bands.low + k * bands.pitch + h / 2, 0, 0};
-                if (turns_ends) {
-                    piece.lean_from = lean(k, line.from);
-                    piece.lean_to = lean(k, line.to);
-                    for (double slant : {piece.lean_from, piece.lean_to})
-                        bare -= share * share * h * h / 2 * std::atan(std::abs(slant));
-                }
+                piece.lean_from = turn_at_end(portions[k], line.from, piece.y, h, options);
+                piece.lean_to = turn_at_end(portions[k], line.to, piece.y, h, options);
+                bare -= turned_area(piece.lean_from, share, h) + turned_area(piece.lean_to, share, h);
                 pieces.push_back(piece);
             }
         }

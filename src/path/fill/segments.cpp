@@ -13,7 +13,8 @@ constexpr double plain_share = 0.25;   // of the width: corners that matter to w
 constexpr double cut_share = 0.001;    // of the width: how wide a cut is
 constexpr double cut_beyond = 0.3;     // of the width: cuts found in the plain outline must part the true one
 constexpr double least_part = 0.05;    // of width^2: smaller parts are left to their neighbours' overlap
-constexpr double cut_cost = 0.6;       // of width^2: a cut costs a way and ends of lines
+constexpr double cut_cost = 0.3;       // of width^2: a cut costs a way and ends of lines
+constexpr std::size_t tried_directions = 3;
 constexpr int most_cuts = 12;          // in one area, found here
 constexpr std::size_t most_corners = 120, most_holes = 4, most_reflex = 40, most_pairs = 150;
 
@@ -112,40 +113,30 @@ std::vector<Halving> halvings(const Region& area, const Options& options) {
     return cuts;
 }
 
-struct Fitted {
-    std::vector<Waste> wastes;  ///< by part
-    Regions parts;
-    std::vector<Polyline> cuts;
-};
 /// Cuts an area where that wastes less than one direction for all of it does, again and again.
-Fitted fitted(const Region& whole, const Options& options) {
-    Fitted result;
+std::vector<Polyline> fitted_cuts(const Region& whole, const Options& options) {
+    std::vector<Polyline> cuts;
     Regions open{whole};
-    while (!open.empty()) {
+    while (!open.empty() && static_cast<int>(cuts.size()) < most_cuts) {
         const Region area = std::move(open.back());
         open.pop_back();
-        const Waste waste = least_waste(area, options.direction, options);
-        double least = waste.area - cut_cost * options.width * options.width;
+        if (area.outer.size() > most_corners) continue;
+        double least = least_waste(area, options.direction, options).area - cut_cost * options.width * options.width;
         std::optional<Halving> best;
-        const bool may = static_cast<int>(result.cuts.size()) < most_cuts && area.outer.size() <= most_corners;
-        for (Halving& cut : may ? halvings(area, options) : std::vector<Halving>{}) {
+        for (Halving& cut : halvings(area, options)) {
             double sum = 0;
             for (const Region& part : cut.parts) sum += least_waste(part, options.direction, options).area;
             if (sum >= least - 1e-9) continue;
             least = sum;
             best = std::move(cut);
         }
-        if (!best) {
-            result.parts.push_back(area);
-            result.wastes.push_back(waste);
-            continue;
-        }
+        if (!best) continue;
         const Point over = cut_beyond * options.width * normalized(best->b - best->a);
         for (Polyline& piece : parted({best->a, best->b}, {area}).inside)
-            result.cuts.push_back({piece.front() - over, piece.back() + over});
+            cuts.push_back({piece.front() - over, piece.back() + over});
         open.insert(open.end(), best->parts.rbegin(), best->parts.rend());
     }
-    return result;
+    return cuts;
 }
 
 Regions without_line(const Regions& regions, const Polyline& cut, const Options& options) {
@@ -171,19 +162,47 @@ Region plain_of(const Region& area, const Options& options) {
     return plain.size() == 1 ? plain[0] : area;
 }
 
+/// The part with the best direction by its true lines, of those that are best by its edges.
+Segment directed(Region part, const Options& options) {
+    Segment best{{std::move(part)}, 0};
+    double least = std::numeric_limits<double>::infinity();
+    Segment trial{best.target, 0};
+    for (const Waste& waste :
+         least_wastes(plain_of(best.target[0], options), options.direction, tried_directions, options)) {
+        trial.direction = waste.direction;
+        const double area = options.direction ? 0 : waste_of(trial, options);
+        if (area >= least - 1e-9) continue;
+        least = area;
+        best.direction = waste.direction;
+    }
+    return best;
+}
+
+/// The segments of one piece where that wastes less than one direction for all of it.
+std::vector<Segment> fitted_segments(const Region& piece, const Options& options) {
+    std::vector<Segment> whole{directed(piece, options)};
+    const std::vector<Polyline> cuts = fitted_cuts(plain_of(piece, options), options);
+    if (cuts.empty()) return whole;
+    Regions cut{piece};
+    for (const Polyline& line : cuts) cut = without_line(cut, line, options);
+    std::vector<Segment> parts;
+    double waste = cut_cost * options.width * options.width * static_cast<double>(cuts.size());
+    for (Region& part : cut) {
+        if (area(part) < least_part * options.width * options.width) continue;
+        parts.push_back(directed(std::move(part), options));
+        waste += waste_of(parts.back(), options);
+    }
+    return waste < waste_of(whole[0], options) ? parts : whole;
+}
+
 }  // namespace
 
 std::vector<Segment> segments_of(const Regions& target, const std::string& place, const Options& options,
                                  Fill& account) {
     std::vector<Segment> segments;
-    const auto add = [&](Regions part, std::optional<double> direction) {
-        if (options.part_inset > 0) part = inset(part, options.part_inset);
-        for (Region& piece : part) {
-            if (area(piece) < least_part * options.width * options.width) continue;
-            const double along =
-                direction ? *direction : least_waste(plain_of(piece, options), options.direction, options).direction;
-            segments.push_back({{std::move(piece)}, along});
-        }
+    const auto add = [&](Segment segment) {
+        if (options.part_inset > 0) segment.target = inset(segment.target, options.part_inset);
+        if (!segment.target.empty()) segments.push_back(std::move(segment));
     };
     for (const Region& piece : cut_up(target, place, options, account)) {
         Partition partition = options.partition;
@@ -193,7 +212,7 @@ std::vector<Segment> segments_of(const Regions& target, const std::string& place
             const Regions plain = simplified({piece}, options.width / 50);
             auto convex = convex_parts(plain.size() == 1 ? plain[0] : piece);
             if (convex) {
-                for (Polygon& part : *convex) add({{std::move(part), {}}}, std::nullopt);
+                for (Polygon& part : *convex) add(directed({std::move(part), {}}, options));
                 continue;
             }
             account.warnings.push_back(
@@ -201,24 +220,16 @@ std::vector<Segment> segments_of(const Regions& target, const std::string& place
             partition = Partition::monotone;
         }
         if (partition == Partition::fitted) {
-            const Fitted parts = fitted(plain_of(piece, options), options);
-            Regions cut{piece};
-            for (const Polyline& line : parts.cuts) cut = without_line(cut, line, options);
-            for (const Region& part : cut) {
-                const Point inside = point_inside(part);
-                const auto of = std::ranges::find_if(parts.parts, [&](const Region& p) { return contains(p, inside); });
-                add({part}, of == parts.parts.end() ? std::optional<double>{}
-                                                    : parts.wastes[of - parts.parts.begin()].direction);
-            }
+            for (Segment& segment : fitted_segments(piece, options)) add(std::move(segment));
             continue;
         }
-        const double direction = least_waste(plain_of(piece, options), options.direction, options).direction;
+        Segment whole = directed(piece, options);
         // Parts in which every line is in one piece share their rows, unless sand is to stay between them:
         // rows for each by itself would round their number up in every part.
         if (partition == Partition::monotone && options.part_inset > 0)
-            for (Polygon& part : monotone_parts(piece, direction)) add({{std::move(part), {}}}, direction);
+            for (Polygon& part : monotone_parts(piece, whole.direction)) add({{{std::move(part), {}}}, whole.direction});
         else
-            add({piece}, direction);
+            add(std::move(whole));
     }
     return segments;
 }

@@ -7,7 +7,8 @@ namespace {
 
 constexpr int most_directions = 12;
 constexpr int most_phases = 4;       // edges that rows are tried flush with
-constexpr double end_waste = 0.3;    // of the triangle between a bar and a slanted edge
+// Of the spacing, by length along the lines of a slanted edge: up to 45 degrees, and at most.
+constexpr double steep_waste = 0.14, most_end_waste = 0.3, waste_by_slant = 0.07;
 constexpr double flat = 0.35;        // of the spacing: an edge that rises by less lies along the lines
 constexpr double flush = 0.02;       // of the spacing: an edge that near to the raster wastes nothing
 constexpr double least_share = 0.06;   // of a row: less is left bare
@@ -34,7 +35,8 @@ double waste_in(const std::vector<Edge>& edges, double direction, const Options&
         if (across < flat * s)
             flats.push_back({std::abs(along), dot(edge.a + edge.b, n) / 2, along > 0});
         else
-            waste += end_waste * s / 2 * std::abs(along);
+            waste += s * std::abs(along) *
+                     std::clamp(steep_waste + waste_by_slant * (std::abs(along) / across - 1), steep_waste, most_end_waste);
     }
     waste += line_cost * options.width * options.width * height / (2 * s);
     std::ranges::sort(flats, [](const Flat& a, const Flat& b) {
@@ -58,6 +60,11 @@ double waste_in(const std::vector<Edge>& edges, double direction, const Options&
 }  // namespace
 
 Waste least_waste(const Region& area, std::optional<double> direction, const Options& options) {
+    return least_wastes(area, direction, 1, options).front();
+}
+
+std::vector<Waste> least_wastes(const Region& area, std::optional<double> direction, std::size_t most,
+                                const Options& options) {
     std::vector<Edge> edges;
     const auto ring = [&](const Polygon& polygon) {
         for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
@@ -65,7 +72,7 @@ Waste least_waste(const Region& area, std::optional<double> direction, const Opt
     };
     ring(area.outer);
     for (const Polygon& hole : area.holes) ring(hole);
-    if (direction) return {*direction, waste_in(edges, *direction, options)};
+    if (direction) return {{*direction, waste_in(edges, *direction, options)}};
 
     std::vector<std::pair<double, double>> by_length;
     for (const Edge& edge : edges) {
@@ -76,12 +83,14 @@ Waste least_waste(const Region& area, std::optional<double> direction, const Opt
     }
     std::ranges::sort(by_length);
     std::vector<double> tried;
-    Waste best;
+    std::vector<Waste> best;
     const auto attempt = [&](double along) {
         along = std::fmod(along, pi);
         if (std::ranges::any_of(tried, [&](double other) { return std::abs(other - along) < 0.01; })) return;
         tried.push_back(along);
-        if (const double waste = waste_in(edges, along, options); waste < best.area - 1e-9) best = {along, waste};
+        const Waste waste{along, waste_in(edges, along, options)};
+        best.insert(std::ranges::upper_bound(best, waste.area - 1e-9, {}, &Waste::area), waste);
+        if (best.size() > most) best.pop_back();
     };
     for (const auto& [minus_length, along] : by_length) {
         if (static_cast<int>(tried.size()) >= most_directions) break;

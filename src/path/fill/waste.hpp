@@ -12,5 +12,8 @@ struct Waste {
 /// rows along an edge waste what the edge's distance from the rows' common raster is short of a row. Tried
 /// are the directions of the longest edges, or the given one. O(directions x edges).
 Waste least_waste(const Region& area, std::optional<double> direction, const Options& options);
+/// The `most` best directions, best first.
+std::vector<Waste> least_wastes(const Region& area, std::optional<double> direction, std::size_t most,
+                                const Options& options);
 
 }  // namespace strandline::fill

@@ -26,6 +26,9 @@ struct Line {
 /// band but for a budget of sand, and as the rake's whole bar stays in the region.
 std::vector<Line> lines_of(const Segment& segment, const Regions& region, const Options& options);
 
+/// Overlap and bare sand of those lines, m^2, bare sand weighed. O(edges + what bands meet).
+double waste_of(const Segment& segment, const Options& options);
+
 /// The regions turned about the origin.
 Regions turned(Regions regions, double angle);
 

@@ -319,11 +319,11 @@ Polyline way_between(Router& router, int from, int to) {
     return {};
 }
 
-/// Whether a line ends at a border ring that is raked: the way to the next line must keep off it.
+/// Whether a line ends at raked sand beside its own cell: the way to the next line must keep off it.
 bool beside_raked(const Plan& plan, int line, bool right) {
     return std::ranges::any_of(plan.corridors.stops[plan.ends_of[line][right]].links, [&](int other) {
-        const Corridor& corridor = plan.corridors.of[plan.corridors.stops[other].corridor];
-        return corridor.raked && corridor.line.closed;
+        const int corridor = plan.corridors.stops[other].corridor;
+        return plan.corridors.of[corridor].raked && plan.unit_of[corridor] != plan.unit_of[line];
     });
 }
 
