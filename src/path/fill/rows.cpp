@@ -18,8 +18,10 @@ constexpr double half_cost = 0.5;      // metres raked that a metre counts for i
 constexpr double line_slack = 0.01;    // of the spacing: an area that is higher by less gets no further row
 constexpr int most_phases = 6;         // edges along the lines that rows are tried flush with
 constexpr double bare_budget = 0.003;  // of the segment: what line ends at slanted edges may leave
-// Shares of a band at which a line ends, best first: half way gap and overlap are least together.
+// Shares of a band at which a line ends, best first: half way gap and overlap are least together, and nothing
+// that reaches less than half into the border's pass is driven over by it.
 constexpr double end_shares[] = {0.5, 0.42, 0.35, 0.28, 0.21, 0.14, 0.07, 0.02};
+constexpr int absolute_shares = 3;  // tried of the whole band first
 constexpr double least_slant = 0.27, most_slant = 1.75;  // of ends the bar turns at: tangents of 15, 60 deg
 constexpr double turn_step = 0.04;                       // of the width, driven after turning
 
@@ -146,13 +148,19 @@ double highest(const std::vector<Knot>& profile, const Interval& within) {
     return most;
 }
 
-/// Where a band is to be raked when lines end at `share` of it, or of its highest place nearby.
-std::vector<Interval> wanted(const std::vector<Knot>& profile, double height, double share) {
+/// Where a line ends: at a share of its band, or, so that no row is left out, of the band's highest place
+/// nearby.
+struct Ends {
+    double share;
+    bool of_highest;
+};
+std::vector<Interval> wanted(const std::vector<Knot>& profile, double height, Ends ends) {
+    if (!ends.of_highest) return above(profile, ends.share * height);
     std::vector<Interval> lines;
     for (const Interval& piece : above(profile, 1e-6 * height)) {
         const double most = highest(profile, piece);
         if (most < least_share * height) continue;
-        for (const Interval& line : above(profile, std::max(share * most, 1e-6 * height)))
+        for (const Interval& line : above(profile, std::max(ends.share * most, 1e-6 * height)))
             if (line.to > piece.from && line.from < piece.to)
                 lines.push_back({std::max(line.from, piece.from), std::min(line.to, piece.to)});
     }
@@ -203,7 +211,7 @@ double waste_of(const Regions& target, const Bands& bands, const Options& option
             if (highest(profile, piece) >= least_share * bands.height)
                 left -= integral(profile, piece.from, piece.to);
         double raked = 0, served = 0, half = 0, turned_flush = 0;
-        for (const Interval& line : wanted(profile, bands.height, end_shares[0])) {
+        for (const Interval& line : wanted(profile, bands.height, {end_shares[0], true})) {
             raked += bands.height * (line.to - line.from);
             served += integral(profile, line.from, line.to);
             half += bands.height * (line.to - line.from);
@@ -351,13 +359,17 @@ std::vector<Line> lines_of(const Segment& segment, const Regions& region, const 
 
     const double budget = bare_budget * area(target);
     std::vector<Piece> pieces;
-    for (double share : end_shares) {
+    std::vector<Ends> ends;
+    for (int i = 0; i < absolute_shares; ++i) ends.push_back({end_shares[i], false});
+    for (double share : end_shares) ends.push_back({share, true});
+    for (const Ends& end : ends) {
+        const double share = end.share;
         pieces.clear();
         double bare = 0;
         for (int k = 0; k < bands.count; ++k) {
             if (profiles[k].empty()) continue;
             bare += integral(profiles[k], profiles[k].front().x, profiles[k].back().x);
-            for (const Interval& line : wanted(profiles[k], h, share)) {
+            for (const Interval& line : wanted(profiles[k], h, end)) {
                 bare -= integral(profiles[k], line.from, line.to);
                 Piece piece{k, line.from, line.to, bands.low + k * bands.pitch + h / 2, 0, 0};
                 piece.lean_from = turn_at_end(portions[k], line.from, piece.y, h, options);

@@ -15,6 +15,7 @@ namespace {
 // Shares of the rake's width:
 constexpr double near_by = 1.15;      // a pass whose middle is no farther can be gone over to
 constexpr double row_end_reach = 2;   // from a line's end to the end of the next
+constexpr double further_in = 0.3;    // from a line's end: off the sand beyond, which may be raked
 constexpr double leap = 1.2;          // along a line: the way to the next line first leaves the raked one
 constexpr double dead_end_cost = 20;  // ending where no sand that is still to come is near
 constexpr double early_ring_cost = 3; // a border ring before a cell that reaches it: its turns would lie on the ring
@@ -30,6 +31,7 @@ struct Plan {
     std::vector<int> unit_of;                  // by corridor
     std::vector<const Line*> line_of;          // by corridor; null: a ring
     std::vector<std::array<int, 2>> ends_of;   // stops of a line's left and right end
+    std::vector<std::array<int, 2>> near_ends_of;  // and a little further in, where one goes from row to row
     std::vector<std::vector<int>> neighbours;  // of units
 };
 
@@ -102,13 +104,22 @@ Plan planned(const std::vector<std::vector<Line>>& segments, const std::vector<R
     const double reach = near_by * options.width;
     for (int i = 0; i < line_count; ++i) {
         const Ring& line = plan.corridors.of[i].line;
+        const double in = std::min(further_in * options.width, line.length / 2);
         plan.ends_of.push_back({stop_at(plan.corridors, i, 0), stop_at(plan.corridors, i, line.length)});
+        plan.near_ends_of.push_back({stop_at(plan.corridors, i, in), stop_at(plan.corridors, i, line.length - in)});
     }
+    const auto segment_of = [&](int corridor) {
+        std::size_t segment = 0;
+        for (int past = 0; segment < segments.size(); ++segment)
+            if (corridor < (past += static_cast<int>(segments[segment].size()))) break;
+        return segment;
+    };
     for (int i = 0; i < line_count; ++i)
         for (int side : {0, 1}) {
-            const int end = plan.ends_of[i][side];
-            const Point p = plan.corridors.stops[end].at;
             for (int k = 0; k < static_cast<int>(plan.corridors.of.size()); ++k) {
+                const bool rows = k < line_count && segment_of(k) == segment_of(i);
+                const int end = rows ? plan.near_ends_of[i][side] : plan.ends_of[i][side];
+                const Point p = plan.corridors.stops[end].at;
                 const Ring& other = plan.corridors.of[k].line;
                 if (k == i || !contains(grown(other.box, reach), p)) continue;
                 const Foot foot = nearest(other, p);
@@ -119,7 +130,8 @@ Plan planned(const std::vector<std::vector<Line>>& segments, const std::vector<R
     for (const Unit& unit : plan.units)
         for (std::size_t i = 0; !unit.ring && i + 1 < unit.corridors.size(); ++i)
             for (int side : {0, 1}) {
-                const int a = plan.ends_of[unit.corridors[i]][side], b = plan.ends_of[unit.corridors[i + 1]][side];
+                const int a = plan.near_ends_of[unit.corridors[i]][side];
+                const int b = plan.near_ends_of[unit.corridors[i + 1]][side];
                 const double apart = distance(plan.corridors.stops[a].at, plan.corridors.stops[b].at);
                 if (apart > reach && apart < row_end_reach * options.width) connect(plan, a, b);
             }
@@ -208,10 +220,16 @@ std::vector<Entry> entries_of(const Plan& plan, int u) {
 
 /// Whether something of another unit that is still to come is next to a stop.
 bool leads_on(const Plan& plan, const std::vector<bool>& done, int stop, int unit) {
-    return std::ranges::any_of(plan.corridors.stops[stop].links, [&](int other) {
-        const int there = plan.unit_of[plan.corridors.stops[other].corridor];
-        return there != unit && !done[there];
-    });
+    const auto leads = [&](int from) {
+        return std::ranges::any_of(plan.corridors.stops[from].links, [&](int other) {
+            const int there = plan.unit_of[plan.corridors.stops[other].corridor];
+            return there != unit && !done[there];
+        });
+    };
+    if (leads(stop)) return true;
+    const int corridor = plan.corridors.stops[stop].corridor;
+    if (!plan.line_of[corridor]) return false;
+    return leads(plan.near_ends_of[corridor][plan.ends_of[corridor][0] == stop ? 0 : 1]);
 }
 
 /// The cheapest entry of all that may be next.
@@ -341,13 +359,19 @@ void rake_cell(Plan& plan, const Entry& entry, Router& router, const Options& op
             turn = std::abs(last.row - line.row) == 1 && overlap(last, line);
             if (turn) {
                 // Where the next line begins far back along the raked one: over to it, then along it.
-                const Point over = nearest_on_segment(drive.here(), line.left, line.right);
+                // Where the sand beyond their ends is raked: over further in.
                 const Point start = from_right ? line.right : line.left;
-                const bool aside = beside_raked(plan, lines[i - 1], from_right);
-                if (const double along = distance(over, start); along > leap * options.width || (along > 0 && aside))
+                const Point over = nearest_on_segment(drive.here(), line.left, line.right);
+                if (beside_raked(plan, lines[i - 1], from_right) || beside_raked(plan, lines[i], from_right)) {
+                    const double in = further_in * options.width;
+                    const Point back = normalized(from_right ? line.left - line.right : line.right - line.left);
+                    const double longer = dot(start - drive.here(), back);
+                    const Point turn_off = drive.here() + (in + std::max(0.0, longer)) * back;
+                    way = {nearest_on_segment(turn_off, last.left, last.right),
+                           nearest_on_segment(turn_off, line.left, line.right)};
+                } else if (distance(over, start) > leap * options.width) {
                     way = {over};
-                else if (aside)
-                    way = {nearest_on_segment(start, last.left, last.right)};
+                }
             } else {
                 way = corners_of(way_between(router, plan.ends_of[lines[i - 1]][from_right],
                                              plan.ends_of[lines[i]][from_right]));
