@@ -23,6 +23,7 @@ constexpr double bare_budget = 0.003;  // of the segment: what line ends at slan
 constexpr double end_shares[] = {0.5, 0.42, 0.35, 0.28, 0.21, 0.14, 0.07, 0.02};
 constexpr int absolute_shares = 3;  // tried of the whole band first
 constexpr double least_slant = 0.27, most_slant = 1.75;  // of ends the bar turns at: tangents of 15, 60 deg
+constexpr double steep_slant = 1;                         // 45 degrees
 constexpr double turn_step = 0.04;                       // of the width, driven after turning
 
 /// Evenly spaced bands; band i begins at low + i x pitch.
@@ -359,6 +360,9 @@ std::vector<Line> lines_of(const Segment& segment, const Regions& region, const 
 
     const double budget = bare_budget * area(target);
     std::vector<Piece> pieces;
+    const auto turn = [&](int k, double x) {
+        return turn_at_end(portions[k], x, bands.low + k * bands.pitch + h / 2, h, options);
+    };
     std::vector<Ends> ends;
     for (int i = 0; i < absolute_shares; ++i) ends.push_back({end_shares[i], false});
     for (double share : end_shares) ends.push_back({share, true});
@@ -369,12 +373,25 @@ std::vector<Line> lines_of(const Segment& segment, const Regions& region, const 
         for (int k = 0; k < bands.count; ++k) {
             if (profiles[k].empty()) continue;
             bare += integral(profiles[k], profiles[k].front().x, profiles[k].back().x);
+            const std::vector<Interval> half_way = wanted(profiles[k], h, {end_shares[0], end.of_highest});
             for (const Interval& line : wanted(profiles[k], h, end)) {
-                bare -= integral(profiles[k], line.from, line.to);
                 Piece piece{k, line.from, line.to, bands.low + k * bands.pitch + h / 2, 0, 0};
-                piece.lean_from = turn_at_end(portions[k], line.from, piece.y, h, options);
-                piece.lean_to = turn_at_end(portions[k], line.to, piece.y, h, options);
-                bare -= turned_area(piece.lean_from, share, h) + turned_area(piece.lean_to, share, h);
+                // Steep ends leave next to nothing half way: what may be left is for the others.
+                for (const Interval& half : half_way) {
+                    if (half.from >= line.from && half.from < line.from + steep_slant * h / 2 &&
+                        std::abs(turn(k, half.from)) < steep_slant)
+                        piece.from = half.from;
+                    if (half.to <= line.to && half.to > line.to - steep_slant * h / 2 &&
+                        std::abs(turn(k, half.to)) < steep_slant)
+                        piece.to = half.to;
+                }
+                bare -= integral(profiles[k], piece.from, piece.to);
+                piece.lean_from = turn(k, piece.from);
+                piece.lean_to = turn(k, piece.to);
+                for (double x : {piece.from, piece.to}) {
+                    const bool kept = x == line.from || x == line.to;
+                    bare -= turned_area(turn(k, x), kept ? share : end_shares[0], h);
+                }
                 pieces.push_back(piece);
             }
         }
