@@ -8,22 +8,24 @@
 namespace strandline::fill {
 namespace {
 
-constexpr double bar_slack = 1e-3;    // of the width: a bar flush with an edge is inside
-constexpr double least_share = 0.06;  // of a band: rows that would rake less are left to the neighbours' edges
-constexpr double full_share = 0.95;   // of a band: less anywhere in a line, and it goes to the middle of that
+constexpr double bar_slack = 1e-3;  // of the width: a bar flush with an edge is inside
+constexpr double least_share =
+    0.06;                            // of a band: rows that would rake less are left to the neighbours' edges
+constexpr double full_share = 0.95;  // of a band: less anywhere in a line, and it goes to the middle of that
 constexpr double shortest_line = 0.1;  // of the width: shorter ones are left to the border
 constexpr double missing_cost = 3;     // metres raked that a metre not raked counts for
-constexpr double end_gap_cost = 2;       // the same at line ends
-constexpr double half_cost = 0.5;      // metres raked that a metre counts for in a band less than half to be raked
+constexpr double end_gap_cost = 2;     // the same at line ends
+constexpr double half_cost =
+    0.5;  // metres raked that a metre counts for in a band less than half to be raked
 constexpr double line_slack = 0.01;    // of the spacing: an area that is higher by less gets no further row
 constexpr int most_phases = 6;         // edges along the lines that rows are tried flush with
 constexpr double bare_budget = 0.003;  // of the segment: what line ends at slanted edges may leave
 // Shares of a band at which a line ends, best first: half way gap and overlap are least together, and nothing
 // that reaches less than half into the border's pass is driven over by it.
 constexpr double end_shares[] = {0.5, 0.42, 0.35, 0.28, 0.21, 0.14, 0.07, 0.02};
-constexpr int absolute_shares = 3;  // tried of the whole band first
+constexpr int absolute_shares = 3;                       // tried of the whole band first
 constexpr double least_slant = 0.27, most_slant = 1.75;  // of ends the bar turns at: tangents of 15, 60 deg
-constexpr double steep_slant = 1;                         // 45 degrees
+constexpr double steep_slant = 1;                        // 45 degrees
 constexpr double turn_step = 0.04;                       // of the width, driven after turning
 
 /// Evenly spaced bands; band i begins at low + i x pitch.
@@ -190,7 +192,8 @@ double slant_at(const std::vector<Portion>& portions, double x, double y, double
 
 /// The bar turns flush with an edge at a line's end where the rake is lifted after it: one that goes on
 /// turns anyway. How far the edge leans there, 0: no turn.
-double turn_at_end(const std::vector<Portion>& portions, double x, double y, double h, const Options& options) {
+double turn_at_end(const std::vector<Portion>& portions, double x, double y, double h,
+                   const Options& options) {
     if (options.turn_radius > 0 || options.rake_turns || options.one_stroke) return 0;
     const double slant = slant_at(portions, x, y, h);
     return std::abs(slant) < least_slant ? 0 : std::clamp(slant, -most_slant, most_slant);
@@ -217,10 +220,12 @@ double waste_of(const Regions& target, const Bands& bands, const Options& option
             served += integral(profile, line.from, line.to);
             half += bands.height * (line.to - line.from);
             for (double x : {line.from, line.to})
-                turned_flush += turned_area(turn_at_end(portions, x, y, bands.height, options), end_shares[0], bands.height);
+                turned_flush += turned_area(turn_at_end(portions, x, y, bands.height, options), end_shares[0],
+                                            bands.height);
             // Less than half a band: the border's own pass would go over raked sand.
             for (const Interval& full : above(profile, bands.height / 2))
-                half -= bands.height * std::max(0.0, std::min(full.to, line.to) - std::max(full.from, line.from));
+                half -=
+                    bands.height * std::max(0.0, std::min(full.to, line.to) - std::max(full.from, line.from));
         }
         const double ends =
             integral(profile, profile.front().x, profile.back().x) - left - served - turned_flush;
@@ -269,8 +274,10 @@ Layout layout_of(const Regions& target, const Options& options) {
         if (std::ranges::any_of(tried, [&](double other) { return std::abs(other - low) < line_slack * s; }))
             continue;
         tried.push_back(low);
-        const Bands bands{low, s, s, std::max(1, static_cast<int>(std::ceil((box.high.y - low) / s - line_slack)))};
-        if (const double waste = waste_of(target, bands, options); waste < best.waste - 1e-9) best = {bands, waste};
+        const Bands bands{low, s, s,
+                          std::max(1, static_cast<int>(std::ceil((box.high.y - low) / s - line_slack)))};
+        if (const double waste = waste_of(target, bands, options); waste < best.waste - 1e-9)
+            best = {bands, waste};
     }
     return best;
 }
@@ -398,8 +405,12 @@ std::vector<Line> lines_of(const Segment& segment, const Regions& region, const 
         if (bare <= budget) break;
     }
 
-    const Affine back{std::cos(segment.direction), std::sin(segment.direction), -std::sin(segment.direction),
-                      std::cos(segment.direction), 0, 0};
+    const Affine back{std::cos(segment.direction),
+                      std::sin(segment.direction),
+                      -std::sin(segment.direction),
+                      std::cos(segment.direction),
+                      0,
+                      0};
     std::vector<Line> lines;
     const auto place = [&](const Piece& piece, const std::vector<Knot>& room) {
         for (const Interval& free : above(room, w * (1 - 2 * bar_slack))) {

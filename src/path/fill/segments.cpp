@@ -9,13 +9,13 @@
 namespace strandline::fill {
 namespace {
 
-constexpr double plain_share = 0.25;   // of the width: corners that matter to where an area is cut
-constexpr double cut_share = 0.001;    // of the width: how wide a cut is
-constexpr double cut_beyond = 0.3;     // of the width: cuts found in the plain outline must part the true one
-constexpr double least_part = 0.05;    // of width^2: smaller parts are left to their neighbours' overlap
-constexpr double cut_cost = 0.3;       // of width^2: a cut costs a way and ends of lines
+constexpr double plain_share = 0.25;  // of the width: corners that matter to where an area is cut
+constexpr double cut_share = 0.001;   // of the width: how wide a cut is
+constexpr double cut_beyond = 0.3;    // of the width: cuts found in the plain outline must part the true one
+constexpr double least_part = 0.05;   // of width^2: smaller parts are left to their neighbours' overlap
+constexpr double cut_cost = 0.3;      // of width^2: a cut costs a way and ends of lines
 constexpr std::size_t tried_directions = 3;
-constexpr int most_cuts = 12;          // in one area, found here
+constexpr int most_cuts = 12;  // in one area, found here
 constexpr std::size_t most_corners = 120, most_holes = 4, most_reflex = 40, most_pairs = 150;
 
 struct Halving {
@@ -121,7 +121,8 @@ std::vector<Polyline> fitted_cuts(const Region& whole, const Options& options) {
         const Region area = std::move(open.back());
         open.pop_back();
         if (area.outer.size() > most_corners) continue;
-        double least = least_waste(area, options.direction, options).area - cut_cost * options.width * options.width;
+        double least =
+            least_waste(area, options.direction, options).area - cut_cost * options.width * options.width;
         std::optional<Halving> best;
         for (Halving& cut : halvings(area, options)) {
             double sum = 0;
@@ -227,7 +228,8 @@ std::vector<Segment> segments_of(const Regions& target, const std::string& place
         // Parts in which every line is in one piece share their rows, unless sand is to stay between them:
         // rows for each by itself would round their number up in every part.
         if (partition == Partition::monotone && options.part_inset > 0)
-            for (Polygon& part : monotone_parts(piece, whole.direction)) add({{{std::move(part), {}}}, whole.direction});
+            for (Polygon& part : monotone_parts(piece, whole.direction))
+                add({{{std::move(part), {}}}, whole.direction});
         else
             add(std::move(whole));
     }

@@ -6,15 +6,15 @@ namespace strandline::fill {
 namespace {
 
 constexpr int most_directions = 12;
-constexpr int most_phases = 4;       // edges that rows are tried flush with
+constexpr int most_phases = 4;  // edges that rows are tried flush with
 // Of the spacing, by length along the lines of a slanted edge: up to 45 degrees, and at most.
 constexpr double steep_waste = 0.14, most_end_waste = 0.3, waste_by_slant = 0.07;
-constexpr double flat = 0.35;        // of the spacing: an edge that rises by less lies along the lines
-constexpr double flush = 0.02;       // of the spacing: an edge that near to the raster wastes nothing
-constexpr double least_share = 0.06;   // of a row: less is left bare
-constexpr double missing_cost = 3;     // m^2 overlapped that one left bare counts for
-constexpr double half_cost = 0.3;      // of a row, more, where the border would be driven over raked sand
-constexpr double line_cost = 0.03;     // of width^2: fewer and longer lines
+constexpr double flat = 0.35;         // of the spacing: an edge that rises by less lies along the lines
+constexpr double flush = 0.02;        // of the spacing: an edge that near to the raster wastes nothing
+constexpr double least_share = 0.06;  // of a row: less is left bare
+constexpr double missing_cost = 3;    // m^2 overlapped that one left bare counts for
+constexpr double half_cost = 0.3;     // of a row, more, where the border would be driven over raked sand
+constexpr double line_cost = 0.03;    // of width^2: fewer and longer lines
 
 struct Edge {
     Point a, b;
@@ -36,20 +36,23 @@ double waste_in(const std::vector<Edge>& edges, double direction, const Options&
             flats.push_back({std::abs(along), dot(edge.a + edge.b, n) / 2, along > 0});
         else
             waste += s * std::abs(along) *
-                     std::clamp(steep_waste + waste_by_slant * (std::abs(along) / across - 1), steep_waste, most_end_waste);
+                     std::clamp(steep_waste + waste_by_slant * (std::abs(along) / across - 1), steep_waste,
+                                most_end_waste);
     }
     waste += line_cost * options.width * options.width * height / (2 * s);
     std::ranges::sort(flats, [](const Flat& a, const Flat& b) {
         return std::tuple(-a.length, a.y) < std::tuple(-b.length, b.y);
     });
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < std::max<std::size_t>(1, std::min<std::size_t>(most_phases, flats.size())); ++k) {
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, std::min<std::size_t>(most_phases, flats.size()));
+         ++k) {
         double sum = 0;
         for (const Flat& edge : flats) {
             const double rows = (edge.bottom ? flats[k].y - edge.y : edge.y - flats[k].y) / s;
             const double share = rows - std::floor(rows);
             if (share < flush || share > 1 - flush) continue;
-            const double lost = share < least_share ? missing_cost * share : 1 - share + (share < 0.5 ? half_cost : 0);
+            const double lost =
+                share < least_share ? missing_cost * share : 1 - share + (share < 0.5 ? half_cost : 0);
             sum += lost * s * edge.length;
         }
         least = std::min(least, sum);

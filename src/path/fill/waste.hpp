@@ -5,7 +5,7 @@
 namespace strandline::fill {
 
 struct Waste {
-    double direction = 0;  ///< the best, radians
+    double direction = 0;                                   ///< the best, radians
     double area = std::numeric_limits<double>::infinity();  ///< overlap and bare sand together, m^2
 };
 /// A line that ends at an edge it meets at the angle a wastes about w^2/2 cot(a) there, or a share of it;

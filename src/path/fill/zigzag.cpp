@@ -11,15 +11,16 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
     constexpr double plain_share = 0.005;  // of the width: less than that no sand shows
     const Regions plain = simplified({region}, plain_share * w);
     const Region& outline = plain.size() == 1 ? plain[0] : region;
-    const Regions room = room_for_centre(outline, place, options, account);
+    const Regions room = simplified(room_for_centre(outline, place, options, account), plain_share * w);
     if (room.empty()) return {};
-    const Regions target = options.border ? inset(room, options.spacing / 2) : Regions{outline};
+    const Regions target =
+        options.border ? inset(room, options.spacing / 2, plain_share * w) : Regions{outline};
     std::vector<std::vector<Line>> lines;
     for (const Segment& segment : segments_of(target, place, options, account))
         lines.push_back(lines_of(segment, {outline}, options));
     std::vector<Ring> borders;
     if (options.border)
-        for (const Region& part : simplified(room, plain_share * w)) {
+        for (const Region& part : room) {
             borders.push_back(ring_of(part.outer, 0, true));
             for (const Polygon& hole : part.holes) borders.push_back(ring_of(hole, 0, true));
         }

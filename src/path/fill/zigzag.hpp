@@ -1,5 +1,6 @@
 #pragma once
-// Private to the room: zigzag fills, step by step: segments with a direction each, their lines, and the order.
+// Private to the room: zigzag fills, step by step: segments with a direction each, their lines, and the
+// order.
 #include "path/fill/rings.hpp"
 
 namespace strandline::fill {

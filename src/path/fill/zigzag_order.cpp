@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "path/fill/corners.hpp"
 #include "path/fill/corridors.hpp"
 #include "path/fill/zigzag.hpp"
 
@@ -18,8 +19,9 @@ constexpr double row_end_reach = 2;   // from a line's end to the end of the nex
 constexpr double further_in = 0.3;    // from a line's end: off the sand beyond, which may be raked
 constexpr double leap = 1.2;          // along a line: the way to the next line first leaves the raked one
 constexpr double dead_end_cost = 20;  // ending where no sand that is still to come is near
-constexpr double early_ring_cost = 3; // a border ring before a cell that reaches it: its turns would lie on the ring
-constexpr double turn_reach = 3;      // of the spacing: the longest raked turn
+constexpr double early_ring_cost =
+    3;  // a border ring before a cell that reaches it: its turns would lie on the ring
+constexpr double turn_reach = 3;  // of the spacing: the longest raked turn
 
 struct Unit {
     std::vector<int> corridors;  // of a cell: its lines in order; of a ring: it
@@ -28,11 +30,11 @@ struct Unit {
 struct Plan {
     Corridors corridors;
     std::vector<Unit> units;
-    std::vector<int> unit_of;                  // by corridor
-    std::vector<const Line*> line_of;          // by corridor; null: a ring
-    std::vector<std::array<int, 2>> ends_of;   // stops of a line's left and right end
+    std::vector<int> unit_of;                      // by corridor
+    std::vector<const Line*> line_of;              // by corridor; null: a ring
+    std::vector<std::array<int, 2>> ends_of;       // stops of a line's left and right end
     std::vector<std::array<int, 2>> near_ends_of;  // and a little further in, where one goes from row to row
-    std::vector<std::vector<int>> neighbours;  // of units
+    std::vector<std::vector<int>> neighbours;      // of units
 };
 
 bool overlap(const Line& a, const Line& b) { return std::min(a.to, b.to) > std::max(a.from, b.from); }
@@ -51,9 +53,8 @@ void add_cells(const std::vector<Line>& lines, int first, const Options& options
             if (overlap(lines[k], lines[i])) ++ups[k], ++downs[i], below[i] = k;
     }
     for (int i = 0; i < n; ++i) {
-        const bool goes_on = options.partition == Partition::none
-                                 ? i > 0
-                                 : downs[i] == 1 && ups[below[i]] == 1;
+        const bool goes_on =
+            options.partition == Partition::none ? i > 0 : downs[i] == 1 && ups[below[i]] == 1;
         if (!goes_on) {
             add(first + i);
             continue;
@@ -93,9 +94,10 @@ Plan planned(const std::vector<std::vector<Line>>& segments, const std::vector<R
         first += static_cast<int>(lines.size());
     }
     for (int r = line_count; r < static_cast<int>(plan.corridors.of.size()); ++r) {
-        const bool outermost = std::ranges::any_of(
-            room, [&](const Region& part) { return contains(grown(plan.corridors.of[r].line.box, 1e-9), bounds(part).low) &&
-                                                   contains(grown(plan.corridors.of[r].line.box, 1e-9), bounds(part).high); });
+        const bool outermost = std::ranges::any_of(room, [&](const Region& part) {
+            return contains(grown(plan.corridors.of[r].line.box, 1e-9), bounds(part).low) &&
+                   contains(grown(plan.corridors.of[r].line.box, 1e-9), bounds(part).high);
+        });
         plan.unit_of[r] = static_cast<int>(plan.units.size());
         plan.units.push_back({{r}, true, outermost});
     }
@@ -106,7 +108,8 @@ Plan planned(const std::vector<std::vector<Line>>& segments, const std::vector<R
         const Ring& line = plan.corridors.of[i].line;
         const double in = std::min(further_in * options.width, line.length / 2);
         plan.ends_of.push_back({stop_at(plan.corridors, i, 0), stop_at(plan.corridors, i, line.length)});
-        plan.near_ends_of.push_back({stop_at(plan.corridors, i, in), stop_at(plan.corridors, i, line.length - in)});
+        plan.near_ends_of.push_back(
+            {stop_at(plan.corridors, i, in), stop_at(plan.corridors, i, line.length - in)});
     }
     const auto segment_of = [&](int corridor) {
         std::size_t segment = 0;
@@ -205,7 +208,8 @@ std::vector<Entry> entries_of(const Plan& plan, int u) {
     const Unit& unit = plan.units[u];
     std::vector<Entry> entries;
     if (unit.ring) {
-        for (int stop : plan.corridors.of[unit.corridors[0]].stops) entries.push_back({u, stop, stop, false, false, 0, {}});
+        for (int stop : plan.corridors.of[unit.corridors[0]].stops)
+            entries.push_back({u, stop, stop, false, false, 0, {}});
         return entries;
     }
     const bool odd = unit.corridors.size() % 2 == 1;
@@ -213,7 +217,8 @@ std::vector<Entry> entries_of(const Plan& plan, int u) {
         for (bool right : {false, true}) {
             const int first = top ? unit.corridors.back() : unit.corridors.front();
             const int last = top ? unit.corridors.front() : unit.corridors.back();
-            entries.push_back({u, plan.ends_of[first][right], plan.ends_of[last][right != odd], top, right, 0, {}});
+            entries.push_back(
+                {u, plan.ends_of[first][right], plan.ends_of[last][right != odd], top, right, 0, {}});
         }
     return entries;
 }
@@ -271,7 +276,8 @@ Entry next_entry(const Plan& plan, const std::vector<bool>& done, int left, int 
         const Point from = plan.corridors.stops[here].at;
         if (best.unit < 0)
             for (const auto& entries : at_stop)
-                for (const Entry& entry : entries) offer(entry, distance(from, plan.corridors.stops[entry.stop].at));
+                for (const Entry& entry : entries)
+                    offer(entry, distance(from, plan.corridors.stops[entry.stop].at));
     }
     if (best.unit < 0)  // rings that nothing comes near
         for (int u = 0; u < static_cast<int>(plan.units.size()) && best.unit < 0; ++u)
@@ -284,12 +290,14 @@ class Drive {
   public:
     Drive(const Regions& room, const Options& options)
         : options_(options),
-          floor_(options.rake_turns && !options.one_stroke ? inset(room, -0.01 * options.width) : Regions{}) {}
+          floor_(options.rake_turns && !options.one_stroke ? inset(room, -0.01 * options.width) : Regions{}) {
+    }
     bool begun() const { return !passes_.empty(); }
     Point here() const { return passes_.back().line.back(); }
     /// `turn`: the line is the next row of the same cell.
     void rake(Polyline line, Polyline way, bool turn) {
-        const bool joined = begun() && (options_.one_stroke || (turn && way.empty() && free_turn(line.front())));
+        const bool joined =
+            begun() && (options_.one_stroke || (turn && way.empty() && free_turn(line.front())));
         if (!joined) {
             passes_.push_back({std::move(way), std::move(line)});
             return;
@@ -362,9 +370,11 @@ void rake_cell(Plan& plan, const Entry& entry, Router& router, const Options& op
                 // Where the sand beyond their ends is raked: over further in.
                 const Point start = from_right ? line.right : line.left;
                 const Point over = nearest_on_segment(drive.here(), line.left, line.right);
-                if (beside_raked(plan, lines[i - 1], from_right) || beside_raked(plan, lines[i], from_right)) {
+                if (beside_raked(plan, lines[i - 1], from_right) ||
+                    beside_raked(plan, lines[i], from_right)) {
                     const double in = further_in * options.width;
-                    const Point back = normalized(from_right ? line.left - line.right : line.right - line.left);
+                    const Point back =
+                        normalized(from_right ? line.left - line.right : line.right - line.left);
                     const double longer = dot(start - drive.here(), back);
                     const Point turn_off = drive.here() + (in + std::max(0.0, longer)) * back;
                     way = {nearest_on_segment(turn_off, last.left, last.right),
@@ -404,7 +414,13 @@ std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const s
                              : drive.begun() ? nearest(ring, drive.here()).s
                                              : 0;
             const double radius = options.round_corners ? options.turn_radius : 0;
-            drive.rake(rounded(along(ring, s, ring.length), radius), corners_of(entry.way), false);
+            const Polyline line = rounded(along(ring, s, ring.length), radius);
+            Polyline way = corners_of(entry.way);
+            if (options.pivots && !options.one_stroke)
+                for (Polyline& part : with_cut_corners(line, true, options))
+                    drive.rake(std::move(part), std::exchange(way, {}), false);
+            else
+                drive.rake(line, std::move(way), false);
             plan.corridors.of[corridor].raked = true;
         }
         here = entry.end;
