@@ -1,8 +1,8 @@
 // The parallel lines of one segment.
-// Key: everything is turned by -direction, so that lines lie level. A row's band is the sand it answers for;
-// the profile of a band is the height of it that lies in an area, as a function of x: piecewise linear.
+// Key: everything is turned by -direction, so that lines lie level. A row's band is the sand it answers for.
 #include <algorithm>
 
+#include "path/fill/profiles.hpp"
 #include "path/fill/zigzag.hpp"
 
 namespace strandline::fill {
@@ -17,6 +17,7 @@ constexpr double missing_cost = 3;     // metres raked that a metre not raked co
 constexpr double end_gap_cost = 2;     // the same at line ends
 constexpr double half_cost =
     0.5;  // metres raked that a metre counts for in a band less than half to be raked
+constexpr double line_cost = 0.03;     // of width^2: fewer and longer lines
 constexpr double line_slack = 0.01;    // of the spacing: an area that is higher by less gets no further row
 constexpr int most_phases = 6;         // edges along the lines that rows are tried flush with
 constexpr double bare_budget = 0.003;  // of the segment: what line ends at slanted edges may leave
@@ -27,129 +28,6 @@ constexpr int absolute_shares = 3;                       // tried of the whole b
 constexpr double least_slant = 0.27, most_slant = 1.75;  // of ends the bar turns at: tangents of 15, 60 deg
 constexpr double steep_slant = 1;                        // 45 degrees
 constexpr double turn_step = 0.04;                       // of the width, driven after turning
-
-/// Evenly spaced bands; band i begins at low + i x pitch.
-struct Bands {
-    double low, pitch, height;
-    int count;
-};
-/// A piece of an edge within a band.
-struct Portion {
-    Point a, b;
-    bool opens;  ///< the area is on its right
-};
-using Portions = std::vector<std::vector<Portion>>;  // by band
-
-/// O(edges + pieces).
-Portions portions_of(const Regions& regions, const Bands& bands) {
-    Portions all(bands.count);
-    const auto ring = [&](const Polygon& polygon) {
-        for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-            Point a = polygon[j], b = polygon[i];
-            if (a.y == b.y) continue;
-            const bool opens = a.y > b.y;  // areas lie left of their outlines
-            if (opens) std::swap(a, b);
-            const double slope = (b.x - a.x) / (b.y - a.y);
-            const auto first = std::floor((a.y - bands.low - bands.height) / bands.pitch);
-            const auto last = std::ceil((b.y - bands.low) / bands.pitch);
-            for (int k = std::max(0, static_cast<int>(first)); k <= std::min(bands.count - 1.0, last); ++k) {
-                const double low = bands.low + k * bands.pitch, high = low + bands.height;
-                if (b.y <= low || a.y >= high) continue;
-                const Point from = a.y < low ? Point{a.x + slope * (low - a.y), low} : a;
-                const Point to = b.y > high ? Point{a.x + slope * (high - a.y), high} : b;
-                all[k].push_back({from, to, opens});
-            }
-        }
-    };
-    for (const Region& region : regions) {
-        ring(region.outer);
-        for (const Polygon& hole : region.holes) ring(hole);
-    }
-    return all;
-}
-
-struct Knot {
-    double x, height;
-};
-/// O(portions log portions). Steps are two knots at one x.
-std::vector<Knot> profile_of(const std::vector<Portion>& portions) {
-    struct Change {
-        double x, slope, step;
-    };
-    std::vector<Change> changes;
-    for (const Portion& p : portions) {
-        const double from = std::min(p.a.x, p.b.x), to = std::max(p.a.x, p.b.x);
-        const double rise = (p.opens ? 1 : -1) * (p.b.y - p.a.y);
-        if (to - from < 1e-9 * (1 + std::abs(to))) {
-            changes.push_back({from, 0, rise});
-        } else {
-            changes.push_back({from, rise / (to - from), 0});
-            changes.push_back({to, -rise / (to - from), 0});
-        }
-    }
-    std::ranges::sort(changes, {}, [](const Change& c) { return std::tuple(c.x, c.step, c.slope); });
-    std::vector<Knot> knots;
-    double height = 0, slope = 0, x = changes.empty() ? 0 : changes.front().x;
-    for (const Change& change : changes) {
-        if (change.x > x) {
-            height += slope * (change.x - x);
-            x = change.x;
-            knots.push_back({x, height});
-        } else if (knots.empty()) {
-            knots.push_back({x, height});
-        }
-        slope += change.slope;
-        if (change.step != 0) {
-            height += change.step;
-            knots.push_back({x, height});
-        }
-    }
-    return knots;
-}
-
-struct Interval {
-    double from, to;
-};
-/// Where a profile is at least `height`.
-std::vector<Interval> above(const std::vector<Knot>& profile, double height) {
-    std::vector<Interval> intervals;
-    bool open = false;
-    for (std::size_t i = 0; i < profile.size(); ++i) {
-        const Knot here = profile[i];
-        if ((here.height >= height) == open) continue;
-        double x = here.x;
-        if (i > 0 && profile[i - 1].x < x) {
-            const Knot last = profile[i - 1];
-            x = last.x + (height - last.height) / (here.height - last.height) * (here.x - last.x);
-        }
-        if (open)
-            intervals.back().to = x;
-        else
-            intervals.push_back({x, x});
-        open = !open;
-    }
-    if (open) intervals.back().to = profile.back().x;
-    return intervals;
-}
-
-/// The integral of a profile.
-double integral(const std::vector<Knot>& profile, double from, double to) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
-        const Knot a = profile[i], b = profile[i + 1];
-        const double low = std::max(from, a.x), high = std::min(to, b.x);
-        if (high <= low) continue;
-        const double mid = a.height + ((low + high) / 2 - a.x) / (b.x - a.x) * (b.height - a.height);
-        sum += mid * (high - low);
-    }
-    return sum;
-}
-double highest(const std::vector<Knot>& profile, const Interval& within) {
-    double most = 0;
-    for (const Knot& knot : profile)
-        if (knot.x >= within.from && knot.x <= within.to) most = std::max(most, knot.height);
-    return most;
-}
 
 /// Where a line ends: at a share of its band, or, so that no row is left out, of the band's highest place
 /// nearby.
@@ -168,26 +46,6 @@ std::vector<Interval> wanted(const std::vector<Knot>& profile, double height, En
                 lines.push_back({std::max(line.from, piece.from), std::min(line.to, piece.to)});
     }
     return lines;
-}
-
-/// How far an edge near x at the heights y -+ h/4 leans over a unit of height; 0 where there is none nearby.
-double slant_at(const std::vector<Portion>& portions, double x, double y, double h) {
-    double found[2];
-    for (int side : {0, 1}) {
-        const double height = y + (side == 0 ? -h : h) / 4;
-        double nearest = 1.5 * h;
-        found[side] = std::numeric_limits<double>::infinity();
-        for (const Portion& p : portions) {
-            if (height < p.a.y || height >= p.b.y) continue;
-            const double at = p.a.x + (height - p.a.y) / (p.b.y - p.a.y) * (p.b.x - p.a.x);
-            if (std::abs(at - x) < nearest) {
-                nearest = std::abs(at - x);
-                found[side] = at;
-            }
-        }
-        if (!std::isfinite(found[side])) return 0;
-    }
-    return (found[1] - found[0]) / (h / 2);
 }
 
 /// The bar turns flush with an edge at a line's end where the rake is lifted after it: one that goes on
@@ -219,6 +77,8 @@ double waste_of(const Regions& target, const Bands& bands, const Options& option
             raked += bands.height * (line.to - line.from);
             served += integral(profile, line.from, line.to);
             half += bands.height * (line.to - line.from);
+            waste += line_cost * options.width * options.width +
+                     std::max(0.0, options.spacing - bands.pitch) * (line.to - line.from);
             for (double x : {line.from, line.to})
                 turned_flush += turned_area(turn_at_end(portions, x, y, bands.height, options), end_shares[0],
                                             bands.height);

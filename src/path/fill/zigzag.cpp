@@ -8,10 +8,10 @@ namespace strandline::fill {
 std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, const Options& options,
                                 Fill& account) {
     const double w = options.width;
-    constexpr double plain_share = 0.005;  // of the width: less than that no sand shows
+    constexpr double plain_share = 0.001;  // of the width: less than that no sand shows
     const Regions plain = simplified({region}, plain_share * w);
     const Region& outline = plain.size() == 1 ? plain[0] : region;
-    const Regions room = simplified(room_for_centre(outline, place, options, account), plain_share * w);
+    const Regions room = room_for_centre(outline, place, options, account);
     if (room.empty()) return {};
     const Regions target =
         options.border ? inset(room, options.spacing / 2, plain_share * w) : Regions{outline};
