@@ -70,6 +70,19 @@ int fill(const FillArguments& arguments, const Common& common) {
         if (!value) return complain(value.error(), bad_call);
         spacing = *value;
     }
+    if (!arguments.direction.empty()) {
+        const auto value = parse_angle(arguments.direction, "--direction");
+        if (!value) return complain(value.error(), bad_call);
+        options.direction = *value;
+    }
+    options.partition = arguments.partition == "none"             ? fill::Partition::none
+                        : arguments.partition == "monotone"       ? fill::Partition::monotone
+                        : arguments.partition == "optimal-convex" ? fill::Partition::optimal_convex
+                                                                  : fill::Partition::fitted;
+    auto cuts = fill::cuts_of(arguments.cuts, "--cuts");
+    if (!cuts) return complain(cuts.error(), bad_call);
+    options.cuts = std::move(*cuts);
+    options.one_stroke = arguments.one_stroke;
     if (arguments.vehicle != "free") {
         const auto robot = robot_named(arguments.vehicle);
         if (!robot) return complain(robot.error(), bad_call);

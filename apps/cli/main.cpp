@@ -159,6 +159,12 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     fill->add_option("--width", f.width, "rake width; overrides the file's");
     fill->add_option("--style", f.style, "rings, spiral or zigzag")->capture_default_str();
     fill->add_option("--spacing", f.spacing, "between neighbouring passes");
+    fill->add_option("--direction", f.direction, "of zigzag lines; else what wastes least");
+    fill->add_option("--partition", f.partition, "of zigzag areas: none, monotone, optimal-convex or fitted")
+        ->check(CLI::IsMember({"none", "monotone", "optimal-convex", "fitted"}))
+        ->capture_default_str();
+    fill->add_option("--cuts", f.cuts, "lines that part zigzag areas first: \"0,2 4,2; 1,0 1,5\"");
+    fill->add_flag("--one-stroke", f.one_stroke, "the rake never lifts inside the area");
     fill->add_option("--pins", f.pins, "the rake has this many pins that lift; strokes get masks")
         ->check(CLI::Range(1, 32));
     fill->add_option("--vehicle", f.vehicle, "free (turns on the spot), or a robot")->capture_default_str();

@@ -10,6 +10,7 @@ namespace strandline::fill {
 namespace {
 
 constexpr double bare_share = 0.03;  // of the area: less is corners that no rake can reach
+constexpr double rough = 0.02;       // of half the width: arcs where only areas are asked for
 // Joints of a pass that turn less (radians) are a bend drawn by chords, where that bulges by less than the
 // tolerance.
 constexpr double smooth_turn = 0.5;
@@ -48,11 +49,11 @@ Regions room_for_centre(const Region& region, const std::string& place, const Op
                         Fill& account) {
     const double half = options.width / 2;
     Regions room = inset({region}, half);
-    const auto too_small = [&](const Region& part) { return area(inset({part}, -half)) < options.min_area; };
+    const auto too_small = [&](const Region& part) { return area(inset({part}, -half, rough * half)) < options.min_area; };
     const auto dropped = std::erase_if(room, too_small);
     account.dropped_parts += static_cast<int>(dropped);
     if (room.empty()) return room;
-    const Regions bare = subtracted({region}, inset(room, -half * 1.01));
+    const Regions bare = subtracted({region}, inset(room, -half * 1.01, rough * half));
     if (area(bare) > std::max(options.min_area, bare_share * area(region))) {
         const auto largest =
             std::ranges::max_element(bare, {}, [](const Region& part) { return area(part); });

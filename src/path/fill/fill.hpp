@@ -13,7 +13,10 @@
 namespace strandline::fill {
 
 enum class Style { rings, spiral, zigzag };
-enum class Partition { none, monotone, optimal_convex };
+/// How a zigzag area is cut into segments: not at all, its lines joined row by row; into cells in each of
+/// which every line is in one piece (one direction for all); into the fewest convex parts, each with its own
+/// direction; or where a cut and another direction behind it waste less sand than they cost.
+enum class Partition { none, monotone, optimal_convex, fitted };
 /// How a ring leads on to the next one (rings): by a step half a width before it closes; from wherever it
 /// ends to the nearest place of the next; the same with the sense turned at each ring; from the longest edge.
 enum class Join { half_step, nearest, alternating, longest_edge };
@@ -24,16 +27,19 @@ struct Options {
     double width = 0.42;    ///< rake width, metres
     double spacing = 0.40;  ///< metres between neighbouring passes, 0 < spacing <= width
     std::optional<double> direction =
-        {};  ///< zigzag lines, radians; absent: the direction with the least passes
-    Partition partition = Partition::monotone;
-    double part_inset = 0;     ///< metres: each part of a partition shrinks by this (zigzag)
-    double min_area = 0.01;    ///< m^2: smaller parts are dropped and counted
-    bool border = true;        ///< a pass along the outline, driven last
-    double tolerance = 0.002;  ///< metres
+        {};  ///< zigzag lines, radians; absent: that with the least waste, in each segment
+    Partition partition = Partition::fitted;
+    std::vector<Polyline> cuts = {};  ///< zigzag: lines that part the area before anything else, metres
+    double part_inset = 0;            ///< metres: each part of a partition shrinks by this (zigzag)
+    double min_area = 0.01;           ///< m^2: smaller parts are dropped and counted
+    bool border = true;               ///< a pass along the outline, driven last
+    double tolerance = 0.002;         ///< metres
     double turn_radius =
         0;  ///< metres: least radius of the rake path in turns, as far as there is room; 0: sharp turns
     bool round_corners =
         true;  ///< bend passes by turn_radius here; false: whoever drives them rounds their corners
+    bool one_stroke =
+        false;  ///< the rake never lifts inside the region, even if it must rake over raked sand
     bool rake_turns =
         true;  ///< zigzag: the rake stays down from line to line where that stays inside; false: it is lifted
     bool pivots = false;   ///< the vehicle may lift, back up and turn on the spot anywhere: corners are cut
@@ -101,6 +107,9 @@ struct Fill {
     int dropped_parts = 0;           ///< smaller than min_area or narrower than the rake
     Warnings warnings;               ///< partition replaced, region narrower than the rake, ...
 };
+
+/// "0,2 4,2; 1,0 1,5" -> cuts, metres where no unit is given. Error.place is `place`.
+Outcome<std::vector<Polyline>> cuts_of(const std::string& text, const std::string& place);
 
 /// Never fails: a region nothing fits into gives no strokes and a warning. `element` is written into the
 /// strokes; `place` names the region in warnings. O(n log n + passes).

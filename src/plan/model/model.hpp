@@ -62,7 +62,9 @@ struct Options {
         std::string style = "rings";  // rings | spiral | zigzag
         double spacing = 0, direction = 0;
         bool best_direction = true;
-        std::string partition = "monotone";  // none | monotone | optimal-convex
+        std::string partition = "fitted";  // none | monotone | optimal-convex | fitted
+        std::string cuts;                  // "x,y x,y; x,y x,y"
+        bool one_stroke = false;
         double part_inset = 0, min_area = 0.01;
         bool border = true;
         bool operator==(const FillArea&) const = default;

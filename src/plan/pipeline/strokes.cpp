@@ -90,8 +90,10 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
     o.spacing = f.spacing > 0 ? std::min(f.spacing, o.width) : default_spacing * o.width;
     if (!f.best_direction) o.direction = f.direction;
     o.partition = f.partition == "none"             ? fill::Partition::none
+                  : f.partition == "monotone"       ? fill::Partition::monotone
                   : f.partition == "optimal-convex" ? fill::Partition::optimal_convex
-                                                    : fill::Partition::monotone;
+                                                    : fill::Partition::fitted;
+    o.one_stroke = f.one_stroke;
     o.part_inset = f.part_inset;
     o.min_area = f.min_area;
     o.border = f.border;
@@ -128,7 +130,14 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
                 group.work.strokes.push_back(std::move(stroke));
             }
         } else {
-            const fill::Options filling = fill_options(options_for(element, options), robot);
+            const Options wanted = options_for(element, options);
+            fill::Options filling = fill_options(wanted, robot);
+            if (auto cuts = fill::cuts_of(wanted.fill.cuts, element.id + ", fill.cuts"))
+                filling.cuts = std::move(*cuts);
+            else
+                strokes.warnings.push_back(
+                    {cuts.error().place,
+                     fmt::format("{}: no cut is made; {}", cuts.error().reason, cuts.error().remedy)});
             fill::Fill filled =
                 fill::fill_region(std::get<RegionElement>(element.what).region, index, element.id, filling);
             strokes.fill_swept += filled.swept;
