@@ -65,6 +65,7 @@ struct Options {
         std::string partition = "monotone";  // none | monotone | optimal-convex
         double part_inset = 0, min_area = 0.01;
         bool border = true;
+        std::string narrow = "single-pass";
         bool operator==(const FillArea&) const = default;
     } fill;
     struct TourSearch {  // "tour.*"
