@@ -4,6 +4,7 @@
 #include "path/fill/narrow.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -225,9 +226,10 @@ MedialAxis narrow_axis(const Regions& plain, const std::vector<Box>& within, con
     std::erase_if(axis.edges, [&](const MedialAxis::Edge& edge) {
         const auto &a = axis.nodes[edge.a], &b = axis.nodes[edge.b];
         if ((a.radius + b.radius) / 2 < (0.5 + thinning / 2) * width) return false;
-        const Point middle = between(a.at, b.at, 0.5);
-        return std::ranges::none_of(
-            islands, [&](const Region* body) { return away_from(*body, middle) < thinning * width; });
+        return std::ranges::none_of(islands, [&](const Region* body) {  // edges may be longer than an island
+            return std::ranges::any_of(std::array{a.at, between(a.at, b.at, 0.5), b.at},
+                                       [&](Point p) { return away_from(*body, p) < thinning * width; });
+        });
     });
     return axis;
 }
@@ -308,9 +310,13 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
         for (bool start : {true, false}) {
             if (!(start ? trails[k].cut_start : trails[k].cut_end)) continue;
             const int node = start ? trails[k].nodes.front() : trails[k].nodes.back();
-            for (std::size_t j = 0; j < trails.size(); ++j)
-                if (j != k && std::ranges::find(trails[j].nodes, node) != trails[j].nodes.end())
+            for (std::size_t j = 0; j < trails.size(); ++j) {
+                const Trail& other = trails[j];
+                const bool ends_too = (other.cut_start && other.nodes.front() == node) ||
+                                      (other.cut_end && other.nodes.back() == node);
+                if (j != k && !ends_too && std::ranges::find(other.nodes, node) != other.nodes.end())
                     (start ? narrow.arms[k].start : narrow.arms[k].end) = bodies + static_cast<int>(j);
+            }
         }
     return narrow;
 }
