@@ -17,9 +17,9 @@ constexpr double least_bare = 0.1;         // of width^2: corners of over 80 deg
 constexpr double axis_step = 0.1;          // of the width: between samples of the outline
 constexpr double thinning = 0.02;          // of the width
 constexpr double overlap = 0.1;  // of the width: an arm that ends on another reaches that far into it
-constexpr double widest_disc =
-    0.75;  // of the width, its radius: where two corridors as wide as the rake cross
-constexpr double widest_island = 0.8;  // of the width: across a body that is only such a crossing
+// Of the width: the radius of the disc that fits where two corridors as wide as the rake cross.
+constexpr double widest_disc = 0.72;
+constexpr double widest_island = 1.3;  // of the width: along a body that is only such a crossing
 constexpr double at_body = 0.75;       // of the width: so near to a body's room an arm ends on it
 
 struct Branch {
