@@ -31,10 +31,15 @@ std::string metres(Point p) { return fmt::format("({:.2f}, {:.2f})", p.x, p.y); 
 
 /// Names what is narrower than the rake, the longest first, and drops what is smaller than the least area.
 void say_narrow(NarrowParts& narrow, const std::string& place, const Options& options, Fill& account) {
-    account.dropped_parts += static_cast<int>(std::erase_if(
-        narrow.arms, [&](const Arm& arm) { return length(arm.line) * arm.most < options.min_area; }));
     std::vector<const Arm*> longest;
-    for (const Arm& arm : narrow.arms) longest.push_back(&arm);
+    for (Arm& arm : narrow.arms) {
+        if (length(arm.line) * arm.most >= options.min_area) {
+            longest.push_back(&arm);
+        } else {  // arms are known by their number: it stays, without a line
+            arm.line.clear();
+            ++account.dropped_parts;
+        }
+    }
     std::ranges::stable_sort(longest, std::greater{}, [](const Arm* arm) { return length(arm->line); });
     for (std::size_t i = 0; i < longest.size(); ++i) {
         if (i == most_named) {
@@ -49,10 +54,10 @@ void say_narrow(NarrowParts& narrow, const std::string& place, const Options& op
             narrow.bodies.empty() ? "is" : "a part is", arm.least, arm.most, length(arm.line),
             metres(arm.line.front()), metres(arm.line.back()), options.width);
         account.warnings.push_back(
-            {place, options.narrow == Narrow::single_pass
-                        ? fmt::format("{}; one pass along its middle, up to {:.2g} m outside", part,
-                                      (options.width - arm.least) / 2)
-                        : part + "; left bare"});
+            {place, options.narrow == Narrow::warn ? part + "; left bare"
+                    : options.masked ? part + "; one pass along its middle, its pins lifted outside"
+                                     : fmt::format("{}; one pass along its middle, up to {:.2g} m outside",
+                                                   part, (options.width - arm.least) / 2)});
     }
 }
 
@@ -70,7 +75,8 @@ void say_bare(const Region& region, const NarrowParts& narrow, const std::string
     const double half = options.width / 2;
     Regions bare = subtracted({region}, inset(narrow.bodies, -half * 1.01));
     std::vector<Polyline> lines;
-    for (const Arm& arm : narrow.arms) lines.push_back(arm.line);
+    for (const Arm& arm : narrow.arms)
+        if (!arm.line.empty()) lines.push_back(arm.line);
     if (!lines.empty()) bare = subtracted(bare, swept(lines, false, half * 1.01, Cap::square));
     if (area(bare) <= std::max(options.min_area, bare_share * area(region))) return;
     const auto largest = std::ranges::max_element(bare, {}, [](const Region& part) { return area(part); });
@@ -105,7 +111,8 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
     say_narrow(narrow, place, options, fill);
     say_bare(region, narrow, place, options, fill);
     if (options.narrow == Narrow::single_pass) passes = with_arms(std::move(passes), narrow, options);
-    if (passes.empty() && narrow.arms.empty()) {
+    const auto served = [](const Arm& arm) { return !arm.line.empty(); };
+    if (passes.empty() && std::ranges::none_of(narrow.arms, served)) {
         ++fill.dropped_parts;
         fill.warnings.push_back(
             {place, fmt::format("is narrower than the rake ({:.2g} m) or smaller than {} m2: not filled",

@@ -4,7 +4,6 @@
 #include "path/fill/narrow.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 
@@ -22,13 +21,24 @@ constexpr double widest_disc = 0.72;
 constexpr double widest_island = 1.3;  // of the width: along a body that is only such a crossing
 constexpr double at_body = 0.75;       // of the width: so near to a body's room an arm ends on it
 
+/// A medial axis with the angle at which the feet of a disc stand on the outline, radians: pi between
+/// parallel sides, pi - a on the branch into a corner of a.
+struct Axis {
+    struct Edge {
+        int a = 0, b = 0;
+        double opening = 0;
+    };
+    std::vector<MedialAxis::Node> nodes;
+    std::vector<Edge> edges;
+};
+
 struct Branch {
     std::vector<int> nodes;
     std::vector<double> openings;  // of the edges between them
 };
 
 /// The graph with plain joints taken out; cycles without a junction begin anywhere.
-std::vector<Branch> branches_of(const MedialAxis& axis, const std::vector<bool>& gone) {
+std::vector<Branch> branches_of(const Axis& axis, const std::vector<bool>& gone) {
     std::vector<std::vector<std::pair<int, int>>> beside(axis.nodes.size());  // edge, node
     for (int e = 0; e < static_cast<int>(axis.edges.size()); ++e)
         if (!gone[e]) {
@@ -58,11 +68,11 @@ std::vector<Branch> branches_of(const MedialAxis& axis, const std::vector<bool>&
     return branches;
 }
 
-double step_length(const MedialAxis& axis, const Branch& branch, std::size_t i) {
+double step_length(const Axis& axis, const Branch& branch, std::size_t i) {
     return distance(axis.nodes[branch.nodes[i]].at, axis.nodes[branch.nodes[i + 1]].at);
 }
 
-double parallel_length(const MedialAxis& axis, const Branch& branch) {
+double parallel_length(const Axis& axis, const Branch& branch) {
     double sum = 0;
     for (std::size_t i = 0; i < branch.openings.size(); ++i)
         if (branch.openings[i] >= parallel) sum += step_length(axis, branch, i);
@@ -70,7 +80,7 @@ double parallel_length(const MedialAxis& axis, const Branch& branch) {
 }
 
 /// Branches into corners go, one round after the other: what they leave may be a branch into a corner again.
-std::vector<Branch> corridors(const MedialAxis& axis, double width) {
+std::vector<Branch> corridors(const Axis& axis, double width) {
     std::vector<bool> gone(axis.edges.size(), false);
     std::map<std::pair<int, int>, int> number;
     for (int e = 0; e < static_cast<int>(axis.edges.size()); ++e)
@@ -98,7 +108,7 @@ struct Trail {
 };
 
 /// At each junction the two branches that go on the straightest become one trail; the others end there.
-std::vector<Trail> trails_of(const MedialAxis& axis, std::vector<Branch> branches, double width) {
+std::vector<Trail> trails_of(const Axis& axis, std::vector<Branch> branches, double width) {
     const auto heading_from = [&](const Branch& branch, bool at_front) {
         double gone = 0;
         const std::size_t n = branch.nodes.size();
@@ -194,20 +204,20 @@ bool is_island(const Region& body, double width) {
 
 /// Edges hardly longer than nothing, of junctions of four and more ways, are taken out with one of their
 /// nodes.
-MedialAxis contracted(MedialAxis axis, double shortest) {
+Axis contracted(Axis axis, double shortest) {
     std::vector<int> same(axis.nodes.size());
     for (std::size_t i = 0; i < same.size(); ++i) same[i] = static_cast<int>(i);
     const auto root = [&](int i) {
         while (same[i] != i) i = same[i];
         return i;
     };
-    for (const MedialAxis::Edge& edge : axis.edges)
+    for (const Axis::Edge& edge : axis.edges)
         if (distance(axis.nodes[edge.a].at, axis.nodes[edge.b].at) < shortest) {
             const auto [low, high] = std::minmax({root(edge.a), root(edge.b)});
             same[high] = low;
         }
     std::set<std::pair<int, int>> known;
-    std::erase_if(axis.edges, [&](MedialAxis::Edge& edge) {
+    std::erase_if(axis.edges, [&](Axis::Edge& edge) {
         edge.a = root(edge.a);
         edge.b = root(edge.b);
         return edge.a == edge.b || !known.insert(std::minmax({edge.a, edge.b})).second;
@@ -215,26 +225,47 @@ MedialAxis contracted(MedialAxis axis, double shortest) {
     return axis;
 }
 
-/// The axis of what is narrower than the rake, with the islands between.
-MedialAxis narrow_axis(const Regions& plain, const std::vector<Box>& within, const NarrowParts& narrow,
-                       double width) {
-    MedialAxis axis =
-        contracted(medial_axis(plain, within, widest_disc * width, axis_step * width), thinning * width);
+/// The axis of what is narrower than the rake, with the islands between, in steps of axis_step.
+Axis narrow_axis(const Regions& plain, const NarrowParts& narrow, double width) {
     std::vector<const Region*> islands;
     for (const Region& body : narrow.bodies)
         if (is_island(body, width)) islands.push_back(&body);
-    std::erase_if(axis.edges, [&](const MedialAxis::Edge& edge) {
-        const auto &a = axis.nodes[edge.a], &b = axis.nodes[edge.b];
-        if ((a.radius + b.radius) / 2 < (0.5 + thinning / 2) * width) return false;
-        return std::ranges::none_of(islands, [&](const Region* body) {  // edges may be longer than an island
-            return std::ranges::any_of(std::array{a.at, between(a.at, b.at, 0.5), b.at},
-                                       [&](Point p) { return away_from(*body, p) < thinning * width; });
-        });
-    });
-    return axis;
+    const auto at_island = [&](Point p) {
+        return std::ranges::any_of(
+            islands, [&](const Region* body) { return away_from(*body, p) < thinning * width; });
+    };
+    Axis axis;
+    for (const Region& region : plain) {
+        const MedialAxis whole = medial_axis(region, axis_step * width);
+        const int offset = static_cast<int>(axis.nodes.size());
+        axis.nodes.insert(axis.nodes.end(), whole.nodes.begin(), whole.nodes.end());
+        for (const MedialAxis::Edge& edge : whole.edges) {
+            const auto &a = whole.nodes[edge.from], &b = whole.nodes[edge.to];
+            const double length = distance(a.at, b.at);
+            if (std::min(a.radius, b.radius) > widest_disc * width) continue;
+            // A disc grows along the axis by the cosine of half the angle between its feet.
+            const double growth = length > 0 ? std::abs(a.radius - b.radius) / length : 0;
+            const double opening = 2 * std::acos(std::min(1.0, growth));
+            const int steps = std::max(1, static_cast<int>(std::ceil(length / (axis_step * width))));
+            int last = offset + edge.from;
+            for (int k = 1; k <= steps; ++k) {
+                const double t = (k - 0.5) / steps, radius = a.radius + t * (b.radius - a.radius);
+                const int next = k == steps ? offset + edge.to : static_cast<int>(axis.nodes.size());
+                if (k < steps) {
+                    const double share = static_cast<double>(k) / steps;
+                    axis.nodes.push_back(
+                        {between(a.at, b.at, share), a.radius + share * (b.radius - a.radius)});
+                }
+                if (radius < (0.5 + thinning / 2) * width || at_island(between(a.at, b.at, t)))
+                    axis.edges.push_back({last, next, opening});
+                last = next;
+            }
+        }
+    }
+    return contracted(std::move(axis), thinning * width);
 }
 
-Arm arm_of(const MedialAxis& axis, const Trail& trail, const Region& region, const NarrowParts& narrow,
+Arm arm_of(const Axis& axis, const Trail& trail, const Region& region, const NarrowParts& narrow,
            const std::map<std::pair<int, int>, double>& openings, double width) {
     Arm arm;
     std::vector<int> nodes = trail.nodes;
@@ -290,9 +321,7 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
     Regions bare = subtracted(plain, inset(narrow.bodies, -0.51 * w));
     std::erase_if(bare, [&](const Region& part) { return area(part) < least_bare * w * w; });
     if (bare.empty()) return narrow;
-    std::vector<Box> within;
-    for (const Region& part : bare) within.push_back(grown(bounds(part), widest_island * w));
-    const MedialAxis axis = narrow_axis(plain, within, narrow, w);
+    const Axis axis = narrow_axis(plain, narrow, w);
     std::map<std::pair<int, int>, double> openings;
     for (const auto& edge : axis.edges) openings[std::minmax({edge.a, edge.b})] = edge.opening;
     const std::vector<Trail> trails = trails_of(axis, corridors(axis, w), w);
@@ -353,6 +382,7 @@ std::vector<Pass> with_arms(std::vector<Pass> passes, const NarrowParts& narrow,
     std::vector<bool> done(all, false);
     const auto rake_arm = [&](int k, int towards, bool beyond) {
         const Arm& arm = narrow.arms[k - bodies];
+        if (arm.line.empty()) return;
         Polyline line = towards != Arm::free && arm.start == towards ? reversed(arm.line) : arm.line;
         Polyline way;  // there is none but through the arm, when nothing lies beyond it
         if (!beyond && !ordered.empty()) way.assign(line.rbegin(), line.rend() - 1);

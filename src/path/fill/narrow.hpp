@@ -9,7 +9,7 @@ namespace strandline::fill {
 /// later, or are free.
 struct Arm {
     static constexpr int free = -1;
-    Polyline line;
+    Polyline line;  ///< empty: not served
     /// At the line's start and at its end: a body (its number in `Narrow::bodies`), an arm (the number of
     /// bodies and its number), or free.
     int start = free, end = free;
@@ -23,7 +23,7 @@ struct NarrowParts {
 };
 /// Nothing when no stretch of the area with sides less than 15 degrees apart is narrower than the rake for a
 /// third of its width: corners, however sharp, are none. From the medial axis, so that arms may branch and
-/// close. Cost: an inset of the thinned area; a Voronoi diagram near what is bare, if anything is.
+/// close. Cost: an inset of the thinned area, and its medial axis if anything is bare.
 NarrowParts narrow_parts(const Region& region, const Options& options);
 
 /// The passes of the bodies (as a style gives them) and of the arms in one order: seen from the largest body,
