@@ -3,52 +3,17 @@
 
 Measures what the program makes, from outside, by its commands. Two columns where a judge has cases of its own: the judge's cases and fresh
 seeded ones made here, so that nothing is tuned to the first. Without the judges' folder only the second column is filled, by the checks in
-this file. Sections: drawings, clipart, svg, tour, connect, fill, convert. Needs python3; the judges need numpy and shapely.
+this file. Sections: drawings, clipart, svg, tour, connect, fill, convert, and fill-pictures, which writes docs/fill. Needs python3; the judges need numpy and shapely.
 """
-import argparse, json, math, os, random, resource, statistics, subprocess, sys, tempfile, time
+import argparse, json, math, random, statistics, subprocess, tempfile, time
 from pathlib import Path
+
+import fill as fill_table
+from harness import peak_mb, percent, run, table
 
 ROOT = Path(__file__).resolve().parent.parent
 AGREEMENT = None  # the program of bench/agreement
-
-
-def run(arguments, stdin=None, timeout=600):
-    """-> (exit code, stdout, stderr, CPU seconds, peak MB); exit code None after the timeout"""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-        process = subprocess.Popen([str(a) for a in arguments], stdin=subprocess.PIPE if stdin is not None else subprocess.DEVNULL,
-                                   stdout=out, stderr=err)
-        try:
-            process.communicate(stdin.encode() if stdin is not None else None, timeout=timeout)
-            code = process.returncode
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
-            code = None
-        out.seek(0), err.seek(0)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-        return code, out.read().decode(errors="replace"), err.read().decode(errors="replace"), cpu, after.ru_maxrss / 1024
-
-
-def peak_mb(arguments):
-    """of this one process, not of all children so far"""
-    script = "import resource,subprocess,sys; subprocess.run(sys.argv[1:],stdout=subprocess.DEVNULL,stderr=subprocess.DEVNULL); print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss/1024)"
-    return float(subprocess.run([sys.executable, "-c", script, *map(str, arguments)], capture_output=True, text=True).stdout)
-
-
-def table(title, head, rows):
-    print(f"\n## {title}\n")
-    print("| " + " | ".join(head) + " |")
-    print("|" + "---|" * len(head))
-    for row in rows:
-        print("| " + " | ".join(str(c) for c in row) + " |")
-    sys.stdout.flush()
-
-
-def percent(values, share):
-    values = sorted(values)
-    return values[min(len(values) - 1, int(share * (len(values) - 1) + 0.5))] if values else float("nan")
+EVERYTHING = False  # --all: fills of all fresh shapes, and 1,000 random regions
 
 
 # ---- drawings ------------------------------------------------------------------------------------------------
@@ -246,41 +211,15 @@ def connect(program, shared, folder, n=10000):
     table(f"Connect: {n} pairs, R = 1 (time holds reading and writing the samples)", ["pairs", "sigma R^2", "end curvatures", "violations", "length / Dubins p50", "p95", "mean", "us a pair"], rows)
 
 
-# ---- fill ----------------------------------------------------------------------------------------------------
-
-def star_region(r, n, radius, hole):
-    ring = lambda c, rad, wobble: [[c[0] + rad * (1 + wobble * r.uniform(-1, 1)) * math.cos(2 * math.pi * j / n), c[1] + rad * (1 + wobble * r.uniform(-1, 1)) * math.sin(2 * math.pi * j / n)] for j in range(n)]
-    return {"polygon": {"outer": ring((0, 0), radius, .3), "holes": [ring((0, 0), .3 * radius, .1)[::-1]] if hole else []}, "width": 1}
-
+# ---- fill: bench/fill.py --------------------------------------------------------------------------------------
 
 def fill(program, shared, folder):
-    judge = shared / "judge/fill/evaluate.py"
-    if not judge.is_file():
-        return print("\nFill: the judge is not at hand; left out (tests/fill holds the laws).")
-    cases = [(p.stem, p) for p in sorted((shared / "judge/fill/polygons").glob("*.json"))]
-    r = random.Random(99)
-    for i in range(8):
-        path = folder / f"fresh_{i}.json"
-        path.write_text(json.dumps(star_region(r, r.randint(8, 40), r.uniform(4, 15), i % 2)))
-        cases.append((f"fresh {i}", path))
-    for style in ("spiral", "zigzag"):
-        rows, all_e, coverages = [], [], []
-        for name, path in cases:
-            code, _, err, cpu, _ = run([program, "fill", path, "--style", style, "-o", folder / "fill.json", "-q"])
-            if code not in (0, 3):
-                rows.append([name, f"exit {code}: {err.strip()[:60]}"] + [""] * 7)
-                continue
-            judged = subprocess.run(["/usr/bin/python3", str(judge), str(folder / "fill.json")], capture_output=True, text=True)
-            try:
-                m = json.loads(judged.stdout)
-            except json.JSONDecodeError:
-                rows.append([name, "the judge: " + (judged.stderr or judged.stdout).strip()[-60:]] + [""] * 7)
-                continue
-            e = 1 - m["coverage"] + m.get("overdraw", 0) + m.get("spill", 0)
-            all_e.append(100 * e), coverages.append(100 * m["coverage"])
-            rows.append([name] + [f"{100 * m.get(k, 0):.2f}" for k in ("coverage", "overdraw", "spill")] + [f"{100 * e:.1f}", m.get("hops", ""), m.get("driveover", ""), f"{m.get('ratio', 0):.3f}", f"{1000 * cpu:.0f}"])
-        rows.append(["**median**", f"{percent(coverages, .5):.2f}", "", "", f"{percent(all_e, .5):.1f}", "", "", "", ""])
-        table(f"Fill: {style}, solid rake, vehicle free", ["shape", "coverage %", "overdraw %", "spill %", "E %", "hops", "drives over", "length x w / area", "CPU ms (whole process)"], rows)
+    fill_table.report(program, shared, folder, EVERYTHING)
+
+
+def fill_pictures(program, shared, folder):
+    import pictures  # Pillow is needed for these alone
+    pictures.draw(program, folder, ROOT / "docs")
 
 
 # ---- convert -------------------------------------------------------------------------------------------------
@@ -317,16 +256,17 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--shared", default=ROOT.parent / "shared", type=Path)
     parser.add_argument("--only", default="drawings,clipart,svg,tour,connect,fill,convert")
+    parser.add_argument("--all", action="store_true", help="fill: more fresh shapes, every shape turned and scaled, 1,000 random regions")
     parser.add_argument("--agreement", help="the program that draws beside librsvg")
     arguments = parser.parse_args()
-    global AGREEMENT
-    AGREEMENT = arguments.agreement
+    global AGREEMENT, EVERYTHING
+    AGREEMENT, EVERYTHING = arguments.agreement, arguments.all
     program = Path(arguments.program).resolve()
     version = run([program, "--version"])[1].strip()
     print(f"# Bench\n\n{version}, measured {time.strftime('%Y-%m-%d')} by `scripts/bench`. Times are of a shared two-core machine: compare ratios.")
     with tempfile.TemporaryDirectory() as folder:
         for name in arguments.only.split(","):
-            globals()[name](program, arguments.shared, Path(folder))
+            globals()[name.replace("-", "_")](program, arguments.shared, Path(folder))
 
 
 if __name__ == "__main__":

@@ -78,7 +78,7 @@ int tour(const TourArguments& arguments, const Common& common);
 
 struct FillArguments {
     std::string input, output = "-", style = "rings", vehicle = "free", width, spacing, direction;
-    std::string partition = "fitted", cuts;
+    std::string partition = "fitted", cuts, narrow = "single-pass";
     bool one_stroke = false;
     std::optional<int> pins;  ///< liftable, with masks; absent: a solid rake
 };

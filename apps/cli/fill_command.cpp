@@ -59,6 +59,12 @@ int fill(const FillArguments& arguments, const Common& common) {
         return complain({"--style " + arguments.style, "is not a style", "use rings, spiral or zigzag"},
                         bad_call);
 
+    if (arguments.narrow == "warn")
+        options.narrow = fill::Narrow::warn;
+    else if (arguments.narrow != "single-pass")
+        return complain({"--narrow " + arguments.narrow, "is not a choice", "use single-pass or warn"},
+                        bad_call);
+
     std::optional<double> width, spacing;
     if (!arguments.width.empty()) {
         const auto value = positive(arguments.width, "--width");

@@ -167,6 +167,9 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     fill->add_flag("--one-stroke", f.one_stroke, "the rake never lifts inside the area");
     fill->add_option("--pins", f.pins, "the rake has this many pins that lift; strokes get masks")
         ->check(CLI::Range(1, 32));
+    fill->add_option("--narrow", f.narrow,
+                     "what is narrower than the rake: single-pass (along its middle) or warn (left bare)")
+        ->capture_default_str();
     fill->add_option("--vehicle", f.vehicle, "free (turns on the spot), or a robot")->capture_default_str();
     fill->footer("Example:\n  strandline fill letter.json --width 0.42 --style zigzag -o strokes.json");
     fill->callback([&] { chosen = [&] { return cli::fill(f, common); }; });

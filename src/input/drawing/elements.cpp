@@ -25,6 +25,19 @@ Cap cap_of(svg::LineCap cap) {
     return Cap::round;
 }
 
+/// Where the outlines of an area touch or cross: its fill rule decides there what is inside.
+std::vector<Contact> doubtful_places(const std::vector<Path>& paths, double tolerance) {
+    constexpr double same_place = 1e-9;  // of the extent
+    std::vector<Polygon> outlines;
+    Box box;
+    for (const Path& path : paths)
+        if (Polygon outline = without_duplicate_corners(flattened(path, tolerance)); outline.size() >= 3) {
+            box = united(box, bounds(outline));
+            outlines.push_back(std::move(outline));
+        }
+    return contacts(outlines, same_place * std::max(box.width(), box.height()));
+}
+
 Regions filled(const std::vector<Path>& paths, svg::FillRule rule, double tolerance) {
     std::vector<Polygon> outlines;
     for (const Path& path : paths)
@@ -98,7 +111,7 @@ class Ids {
 
 /// The shape on the canvas, by itself.
 Painted painted(const Inked& inked, const Placement& placement, const Robot& robot,
-                const DrawingOptions& options, DrawingCounts& counts) {
+                const DrawingOptions& options, DrawingCounts& counts, Warnings& doubts) {
     const svg::Shape& shape = *inked.shape;
     Painted result{.shape = &shape, .pins = inked.pins, .hints = inked.hints, .section = inked.section};
     std::vector<Path> paths;
@@ -109,6 +122,14 @@ Painted painted(const Inked& inked, const Placement& placement, const Robot& rob
     const double width = shape.stroke_width * placement.scale;
 
     if (inked.fill) {
+        if (const auto places = doubtful_places(paths, options.tolerance); !places.empty())
+            doubts.push_back(
+                {shape.place,
+                 fmt::format(
+                     "its outline touches or crosses itself at {} place{}, one of them ({:.2f}, {:.2f}) m: "
+                     "filled by the {} rule",
+                     places.size(), places.size() == 1 ? "" : "s", places[0].at.x, places[0].at.y,
+                     shape.fill_rule == svg::FillRule::nonzero ? "nonzero" : "even-odd")});
         result.area = filled(paths, shape.fill_rule, options.tolerance);
         // Areas below the flattening's own error are what rounding left of a fill without area.
         const auto slivers = std::erase_if(
@@ -144,12 +165,20 @@ Painted painted(const Inked& inked, const Placement& placement, const Robot& rob
 
 std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placement& placement,
                                  const Robot& robot, const DrawingOptions& options, DrawingCounts& counts,
-                                 const Progress& progress) {
+                                 Warnings& warnings, const Progress& progress) {
+    constexpr std::size_t most_named = 5;  // clip art has hundreds
+    Warnings doubts;
     std::vector<Painted> sheets;
     for (const Inked& inked : shapes) {
         progress.report("drawing", static_cast<double>(sheets.size()) / static_cast<double>(shapes.size()));
-        sheets.push_back(painted(inked, placement, robot, options, counts));
+        sheets.push_back(painted(inked, placement, robot, options, counts, doubts));
     }
+    if (doubts.size() > most_named) {
+        const std::size_t more = doubts.size() - most_named;
+        doubts.resize(most_named);
+        doubts.push_back({"areas", fmt::format("{} more outlines touch or cross themselves", more)});
+    }
+    warnings.insert(warnings.end(), doubts.begin(), doubts.end());
     if (options.occlusion) occlude(sheets, options.tolerance, counts, progress);
 
     std::vector<Element> elements;

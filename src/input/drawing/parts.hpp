@@ -85,10 +85,11 @@ struct Painted {
 /// n) for n shapes of v corners in all, where most overlap few others.
 void occlude(std::vector<Painted>& shapes, double tolerance, DrawingCounts& counts, const Progress& progress);
 
-/// Elements in painting order, ids unique, `inside` not yet known.
+/// Elements in painting order, ids unique, `inside` not yet known. Warnings: areas whose outlines touch or
+/// cross, where the fill rule decides what is inside; the first few by place.
 std::vector<Element> elements_of(const std::vector<Inked>& shapes, const Placement& placement,
                                  const Robot& robot, const DrawingOptions& options, DrawingCounts& counts,
-                                 const Progress& progress);
+                                 Warnings& warnings, const Progress& progress);
 
 /// Lines that are one line or whose ends meet become one; see docs/drawing.md. The element keeps the place
 /// and the id of its first piece.

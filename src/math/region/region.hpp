@@ -93,6 +93,17 @@ struct MedialAxis {
 /// From the Voronoi diagram of the edges. Curved pieces become chords of at most `step` metres. O(n log n).
 MedialAxis medial_axis(const Region& region, double step);
 
+/// Where closed outlines touch or cross themselves (a == b), or each other: crossings, corners that lie on
+/// another edge, edges on edges, and corners at which an outline turns back on itself. One place for contacts
+/// within `tolerance` of each other; at most `most` for a pair. Outlines come without repeated points. A
+/// sweep over x: O(n log n + pairs of edges that overlap in x).
+struct Contact {
+    std::size_t a = 0, b = 0;  ///< outlines, a <= b
+    Point at;
+    bool operator==(const Contact&) const = default;
+};
+std::vector<Contact> contacts(const std::vector<Polygon>& outlines, double tolerance, int most = 20);
+
 /// Cut by a straight line through two points: parts on its left, then on its right.
 struct Halves {
     Regions left, right;

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 
-#include "path/fill/passes.hpp"
+#include "path/fill/narrow.hpp"
 
 namespace strandline::fill {
 namespace {
 
-constexpr double bare_share = 0.03;  // of the area: less is corners that no rake can reach
-constexpr double rough = 0.02;       // of half the width: arcs where only areas are asked for
+constexpr std::size_t most_named = 5;  // parts that are narrower than the rake; the rest are counted
+constexpr double bare_share = 0.03;    // of the area: less is corners that no rake can reach
+constexpr double rough = 0.02;         // of half the width: arcs where only areas are asked for
 // Joints of a pass that turn less (radians) are a bend drawn by chords, where that bulges by less than the
 // tolerance.
 constexpr double smooth_turn = 0.5;
@@ -27,20 +28,63 @@ Stroke stroke_of(const Polyline& line, int element, const Options& options) {
     return stroke;
 }
 
-/// The region is nowhere as wide as the rake: one pass along its middle, as it is better seen than missing.
-std::vector<Pass> narrow_passes(const Region& region, const std::string& place, const Options& options,
-                                Fill& account) {
-    const Polyline middle = region.holes.empty() ? middle_line(region.outer, options.width) : Polyline{};
-    if (middle.size() < 2 || area(region) < options.min_area) {
-        ++account.dropped_parts;
-        account.warnings.push_back(
-            {place, fmt::format("is narrower than the rake ({} m) or smaller than {} m2: not filled",
-                                options.width, options.min_area)});
-        return {};
+std::string metres(Point p) { return fmt::format("({:.2f}, {:.2f})", p.x, p.y); }
+
+/// Names what is narrower than the rake, the longest first, and drops what is smaller than the least area.
+void say_narrow(NarrowParts& narrow, const std::string& place, const Options& options, Fill& account) {
+    std::vector<const Arm*> longest;
+    for (Arm& arm : narrow.arms) {
+        if (length(arm.line) * arm.most >= options.min_area) {
+            longest.push_back(&arm);
+        } else {  // arms are known by their number: it stays, without a line
+            arm.line.clear();
+            ++account.dropped_parts;
+        }
     }
+    std::ranges::stable_sort(longest, std::greater{}, [](const Arm* arm) { return length(arm->line); });
+    for (std::size_t i = 0; i < longest.size(); ++i) {
+        if (i == most_named) {
+            account.warnings.push_back(
+                {place,
+                 fmt::format("and {} more parts that are narrower than the rake", longest.size() - i)});
+            break;
+        }
+        const Arm& arm = *longest[i];
+        const std::string part = fmt::format(
+            "{} {:.2g} to {:.2g} m wide, {:.2g} m long, from {} to {}: narrower than the rake ({:.2g} m)",
+            narrow.bodies.empty() ? "is" : "a part is", arm.least, arm.most, length(arm.line),
+            metres(arm.line.front()), metres(arm.line.back()), options.width);
+        account.warnings.push_back(
+            {place, options.narrow == Narrow::warn ? part + "; left bare"
+                    : options.masked ? part + "; one pass along its middle, its pins lifted outside"
+                                     : fmt::format("{}; one pass along its middle, up to {:.2g} m outside",
+                                                   part, (options.width - arm.least) / 2)});
+    }
+}
+
+/// An area that is narrower than the rake, but has no parallel sides: one pass from tip to tip, if that is
+/// how it is.
+NarrowParts middle_part(const Region& region, const Options& options) {
+    const Polyline middle = region.holes.empty() ? middle_line(region.outer, options.width) : Polyline{};
+    if (middle.size() < 2) return {};
+    return {{}, {}, {{middle, Arm::free, Arm::free, 0, area(region) / length(middle)}}};
+}
+
+/// What neither the passes nor the arms can reach: tips.
+void say_bare(const Region& region, const NarrowParts& narrow, const std::string& place,
+              const Options& options, Fill& account) {
+    const double half = options.width / 2;
+    Regions bare = subtracted({region}, inset(narrow.bodies, -half * 1.01));
+    std::vector<Polyline> lines;
+    for (const Arm& arm : narrow.arms)
+        if (!arm.line.empty()) lines.push_back(arm.line);
+    if (!lines.empty()) bare = subtracted(bare, swept(lines, false, half * 1.01, Cap::square));
+    if (area(bare) <= std::max(options.min_area, bare_share * area(region))) return;
+    const auto largest = std::ranges::max_element(bare, {}, [](const Region& part) { return area(part); });
     account.warnings.push_back(
-        {place, fmt::format("is narrower than the rake ({} m): one pass along its middle", options.width)});
-    return {{{}, middle}};
+        {place,
+         fmt::format("{:.2g} m2 in corners is too narrow for the rake and left bare, most of it near {}",
+                     area(bare), metres(point_inside(*largest)))});
 }
 
 }  // namespace
@@ -48,22 +92,15 @@ std::vector<Pass> narrow_passes(const Region& region, const std::string& place, 
 Regions room_for_centre(const Region& region, const std::string& place, const Options& options,
                         Fill& account) {
     const double half = options.width / 2;
-    Regions room = inset({region}, half);
-    const auto too_small = [&](const Region& part) { return area(inset({part}, -half, rough * half)) < options.min_area; };
-    const auto dropped = std::erase_if(room, too_small);
-    account.dropped_parts += static_cast<int>(dropped);
-    if (room.empty()) return room;
-    const Regions bare = subtracted({region}, inset(room, -half * 1.01, rough * half));
-    if (area(bare) > std::max(options.min_area, bare_share * area(region))) {
-        const auto largest =
-            std::ranges::max_element(bare, {}, [](const Region& part) { return area(part); });
-        const Point at = centroid(largest->outer);
-        account.warnings.push_back(
-            {place,
-             fmt::format(
-                 "{:.3g} m2 is too narrow for the rake and left bare, most of it near ({:.2f}, {:.2f})",
-                 area(bare), at.x, at.y)});
-    }
+    Regions room = inset({region}, half, options.width / 200);
+    const auto too_small = [&](const Region& part) {
+        return area(part) < options.min_area && area(inset({part}, -half, rough * half)) < options.min_area;
+    };
+    for (const Region& part : room)
+        if (too_small(part))
+            account.warnings.push_back({place, fmt::format("the part near {} is smaller than {} m2: left out",
+                                                           metres(part.outer.front()), options.min_area)});
+    account.dropped_parts += static_cast<int>(std::erase_if(room, too_small));
     return room;
 }
 
@@ -72,7 +109,18 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
     fill.area = area(region);
     std::vector<Pass> passes = options.style == Style::zigzag ? zigzag_passes(region, place, options, fill)
                                                               : ring_passes(region, place, options, fill);
-    if (passes.empty()) passes = narrow_passes(region, place, options, fill);
+    NarrowParts narrow = narrow_parts(region, options);
+    if (passes.empty() && narrow.arms.empty()) narrow = middle_part(region, options);
+    say_narrow(narrow, place, options, fill);
+    say_bare(region, narrow, place, options, fill);
+    if (options.narrow == Narrow::single_pass) passes = with_arms(std::move(passes), narrow, options);
+    const auto served = [](const Arm& arm) { return !arm.line.empty(); };
+    if (passes.empty() && std::ranges::none_of(narrow.arms, served)) {
+        ++fill.dropped_parts;
+        fill.warnings.push_back(
+            {place, fmt::format("is narrower than the rake ({:.2g} m) or smaller than {} m2: not filled",
+                                options.width, options.min_area)});
+    }
     for (Pass& pass : passes) {
         fill.swept += length(pass.line) * options.width;
         fill.strokes.push_back(stroke_of(pass.line, element, options));

@@ -21,6 +21,10 @@ enum class Partition { none, monotone, optimal_convex, fitted };
 /// ends to the nearest place of the next; the same with the sense turned at each ring; from the longest edge.
 enum class Join { half_step, nearest, alternating, longest_edge };
 
+/// What is narrower than the rake: one pass along its middle, which spills and is said, or bare sand and a
+/// warning.
+enum class Narrow { single_pass, warn };
+
 struct Options {
     Style style = Style::rings;
     Join join = Join::half_step;
@@ -33,7 +37,8 @@ struct Options {
     double part_inset = 0;            ///< metres: each part of a partition shrinks by this (zigzag)
     double min_area = 0.01;           ///< m^2: smaller parts are dropped and counted
     bool border = true;               ///< a pass along the outline, driven last
-    double tolerance = 0.002;         ///< metres
+    Narrow narrow = Narrow::single_pass;
+    double tolerance = 0.002;  ///< metres
     double turn_radius =
         0;  ///< metres: least radius of the rake path in turns, as far as there is room; 0: sharp turns
     bool round_corners =
@@ -105,7 +110,7 @@ struct Fill {
     double swept = 0;            ///< stroke length x width, m^2
     std::optional<Account> account;  ///< where options ask for it
     int dropped_parts = 0;           ///< smaller than min_area or narrower than the rake
-    Warnings warnings;               ///< partition replaced, region narrower than the rake, ...
+    Warnings warnings;               ///< partition replaced, what is narrower than the rake, by place; ...
 };
 
 /// "0,2 4,2; 1,0 1,5" -> cuts, metres where no unit is given. Error.place is `place`.

@@ -15,7 +15,7 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
                                 Fill& account);
 
 /// Where the centre of a rake may be without any of it leaving the region: the inset by half the width,
-/// without parts that serve less than `min_area` (counted in `account`).
+/// without parts that serve less than `min_area` (counted in `account`, and said).
 Regions room_for_centre(const Region& region, const std::string& place, const Options& options,
                         Fill& account);
 /// The middle line of a long thin area without holes: midpoints of the pairs of outline points that are

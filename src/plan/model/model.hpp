@@ -67,6 +67,7 @@ struct Options {
         bool one_stroke = false;
         double part_inset = 0, min_area = 0.01;
         bool border = true;
+        std::string narrow = "single-pass";
         bool operator==(const FillArea&) const = default;
     } fill;
     struct TourSearch {  // "tour.*"

@@ -316,6 +316,16 @@ std::vector<Setting> make_table() {
          {},
          "--area_deletion_threshold",
          [](Options& o) -> Field { return &o.fill.min_area; }},
+        {"fill.narrow",
+         "parts of areas that are narrower than the rake: one pass along the middle, which reaches outside, "
+         "or "
+         "left bare; both with a warning",
+         Kind::choice,
+         0,
+         0,
+         {"single-pass", "warn"},
+         "",
+         [](Options& o) -> Field { return &o.fill.narrow; }},
         {"fill.border",
          "a pass along the outline, driven last",
          Kind::flag,

@@ -97,6 +97,7 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
     o.part_inset = f.part_inset;
     o.min_area = f.min_area;
     o.border = f.border;
+    o.narrow = f.narrow == "warn" ? fill::Narrow::warn : fill::Narrow::single_pass;
     o.tolerance = options.drawing.tolerance;
     o.account = true;
     // The rake can follow radii above its offset, but the nearer to it the more the bar stands skew: at 1.5 L

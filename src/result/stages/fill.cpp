@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "result/stages/stages.hpp"
@@ -11,7 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Outcome<Polygon> ring_from(const Json& json, const std::string& place) {
+/// A ring as the file has it: one that repeats its first point at the end is closed by it, as GeoJSON does;
+/// other repeated points are left out and said.
+Outcome<Polygon> ring_from(const Json& json, const std::string& place, Warnings& warnings) {
     if (!json.is_array()) return fail(place, "is not a list of points", "write [[x,y],[x,y],...]");
     Polygon ring;
     for (std::size_t i = 0; i < json.size(); ++i) {
@@ -25,7 +28,44 @@ Outcome<Polygon> ring_from(const Json& json, const std::string& place) {
                         "keep coordinates below 1e12");
         ring.push_back(p);
     }
-    return without_duplicate_corners(ring);
+    if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    Polygon distinct = without_duplicate_corners(ring);
+    if (distinct.size() < ring.size()) {
+        std::size_t first = 1;
+        while (first < ring.size() && !(ring[first] == ring[first - 1])) ++first;
+        warnings.push_back({fmt::format("{}, point {}", place, first % ring.size()),
+                            fmt::format("{} points that repeat the one before are left out",
+                                        ring.size() - distinct.size())});
+    }
+    return distinct;
+}
+
+std::string metres(Point p) { return fmt::format("({:.4g}, {:.4g})", p.x, p.y); }
+
+/// What is wrong with the rings (the outer one first), by place. `names` has the rings' places.
+void say_contacts(const std::vector<Polygon>& rings, const std::vector<std::string>& names,
+                  Warnings& warnings) {
+    constexpr double same_place = 1e-9;  // of the extent
+    Box box;
+    for (const Polygon& ring : rings) box = united(box, bounds(ring));
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<Point>> places;
+    for (const Contact& contact : contacts(rings, same_place * std::max(box.width(), box.height())))
+        places[{contact.a, contact.b}].push_back(contact.at);
+    for (const auto& [pair, at] : places) {
+        const auto [a, b] = pair;
+        const std::string where = at.size() == 1
+                                      ? "at " + metres(at[0])
+                                      : fmt::format("at {} places, one of them {}", at.size(), metres(at[0]));
+        if (a == b)
+            warnings.push_back(
+                {names[a],
+                 fmt::format("touches or crosses itself {}: repaired by the even-odd rule", where)});
+        else
+            warnings.push_back(
+                {names[b],
+                 fmt::format("touches or crosses {} {}: {}", a == 0 ? "the outline" : names[a], where,
+                             a == 0 ? "what lies outside is ignored" : "the holes are cut out together")});
+    }
 }
 
 Json written(const Polyline& line) {
@@ -57,32 +97,41 @@ Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) 
         task.width = width.get<double>();
     }
     const Json& polygon = json["polygon"];
-    const auto outer = ring_from(polygon["outer"], place + ", outer");
+    const auto outer = ring_from(polygon["outer"], place + ", outer", task.warnings);
     if (!outer) return tl::unexpected(outer.error());
     if (outer->size() < 3) return fail(place + ", outer", "has fewer than three different points");
+    std::vector<Polygon> rings{*outer};
+    std::vector<std::string> names{place + ", outer"};
     task.regions = resolved({*outer}, FillRule::even_odd);
-    const double drawn = area(*outer);
-    std::vector<Polygon> holes;
     if (polygon.contains("holes")) {
         if (!polygon["holes"].is_array()) return fail(place + ", holes", "is not a list of rings");
-        for (std::size_t i = 0; i < polygon["holes"].size(); ++i) {
-            const auto hole = ring_from(polygon["holes"][i], fmt::format("{}, hole {}", place, i));
-            if (!hole) return tl::unexpected(hole.error());
-            if (hole->size() < 3)
-                task.warnings.push_back({fmt::format("{}, hole {}", place, i), "has no area: left out"});
-            else
-                holes.push_back(*hole);
-        }
-    }
-    constexpr double same_area = 1e-6;
-    if (task.regions.size() > 1 || std::abs(area(task.regions) - drawn) > same_area * area(task.regions))
-        task.warnings.push_back(
-            {place + ", outer", "touches or crosses itself: repaired by the even-odd rule"});
-    if (!holes.empty()) {
+        const Regions whole = task.regions;
         Regions cut_out;  // one by one: holes that overlap stay holes
-        for (const Polygon& hole : holes) cut_out = united(cut_out, resolved({hole}, FillRule::even_odd));
-        task.regions = subtracted(task.regions, cut_out);
+        for (std::size_t i = 0; i < polygon["holes"].size(); ++i) {
+            const std::string name = fmt::format("{}, hole {}", place, i);
+            const auto hole = ring_from(polygon["holes"][i], name, task.warnings);
+            if (!hole) return tl::unexpected(hole.error());
+            const Regions inside = hole->size() < 3 ? Regions{} : resolved({*hole}, FillRule::even_odd);
+            if (inside.empty()) {
+                task.warnings.push_back({name, "has no area: left out"});
+                continue;
+            }
+            if (intersected(inside, whole).empty())
+                task.warnings.push_back({name, "lies outside the outline: left out"});
+            rings.push_back(*hole);
+            names.push_back(name);
+            cut_out = united(cut_out, inside);
+        }
+        if (!cut_out.empty()) task.regions = subtracted(task.regions, cut_out);
     }
+    say_contacts(rings, names, task.warnings);
+    constexpr double sliver = 1e-9;  // of the area: what rounding leaves between outlines that touch
+    const double whole = area(task.regions);
+    for (const Region& region : task.regions)
+        if (area(region) < sliver * whole)
+            task.warnings.push_back({place, fmt::format("a sliver of {:.2g} m2 near {} is left out",
+                                                        area(region), metres(region.outer.front()))});
+    std::erase_if(task.regions, [&](const Region& region) { return area(region) < sliver * whole; });
     if (task.regions.empty()) return fail(place, "has no area", "check the outline and its holes");
     return task;
 }
