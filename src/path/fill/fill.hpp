@@ -21,6 +21,8 @@ enum class Join { half_step, nearest, alternating, longest_edge };
 struct Options {
     Style style = Style::rings;
     Join join = Join::half_step;
+    double shift = 6;  ///< spiral, rake widths: the stretch of each turn along which it shifts to the next
+                       ///< ring; more than a turn: all along, as a spiral of Archimedes
     double width = 0.42;    ///< rake width, metres
     double spacing = 0.40;  ///< metres between neighbouring passes, 0 < spacing <= width
     std::optional<double> direction =

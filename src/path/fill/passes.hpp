@@ -11,6 +11,8 @@ struct Pass {
 };
 std::vector<Pass> ring_passes(const Region& region, const std::string& place, const Options& options,
                               Fill& account);
+std::vector<Pass> spiral_passes(const Region& region, const std::string& place, const Options& options,
+                                Fill& account);
 std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, const Options& options,
                                 Fill& account);
 

@@ -1,0 +1,42 @@
+#pragma once
+// Private to the room: one continuous line over rings that lie in each other or side by side.
+#include "path/fill/rings.hpp"
+
+namespace strandline::fill {
+
+/// A ring and the sense in which it is gone round. Places on it are arc lengths u in that sense; they may go
+/// beyond one turn.
+struct Track {
+    const Ring* ring = nullptr;
+    int sense = 1;  // -1: against the ring's own
+};
+Point at(const Track& track, double u);
+
+/// Where the line shifts from a track to the next: places that face each other, and the share of the way
+/// across that is done there, from 0 to 1.
+struct Knot {
+    double a = 0, b = 0;  // on this track, on the next
+    double share = 0;
+};
+struct Shift {
+    std::vector<Knot> knots;
+    bool whole = false;  // takes the whole turn: a spiral of Archimedes
+};
+
+/// The first tracks of a chain that one seam serves, where the line shifts between them, and where it begins.
+struct Revolutions {
+    std::vector<Track> tracks;
+    std::vector<Shift> shifts;  // one fewer than tracks
+    double begin = 0;           // on the first track
+};
+
+/// A seam for as many rings from chain[first] on as have one in common, all closed: a line across them along
+/// which neighbours are a spacing apart, straight where it can be, near `from` and, when it reaches the
+/// chain's end, near `onward`. O(seams x rings x corners).
+Revolutions revolutions(const std::vector<const Ring*>& chain, std::size_t first, std::optional<Point> from,
+                        const Ring* onward, const Options& options);
+
+/// The line: each ring but for where it shifts to the next, the last one closed.
+Polyline line_of(const Revolutions& revolutions);
+
+}  // namespace strandline::fill
