@@ -77,7 +77,8 @@ struct TourArguments {
 int tour(const TourArguments& arguments, const Common& common);
 
 struct FillArguments {
-    std::string input, output = "-", style = "rings", vehicle = "free", width, spacing;
+    std::string input, output = "-", style = "rings", inset = "offset", vehicle = "free", width, spacing;
+    double shift = 3;         ///< rake widths
     std::optional<int> pins;  ///< liftable, with masks; absent: a solid rake
 };
 int fill(const FillArguments& arguments, const Common& common);

@@ -59,6 +59,13 @@ int fill(const FillArguments& arguments, const Common& common) {
         return complain({"--style " + arguments.style, "is not a style", "use rings, spiral or zigzag"},
                         bad_call);
 
+    if (arguments.inset == "skeleton")
+        options.insets = fill::Insets::skeleton;
+    else if (arguments.inset != "offset")
+        return complain({"--inset " + arguments.inset, "is no kind of inset", "use offset or skeleton"},
+                        bad_call);
+    options.shift = arguments.shift;
+
     std::optional<double> width, spacing;
     if (!arguments.width.empty()) {
         const auto value = positive(arguments.width, "--width");

@@ -2,10 +2,11 @@
 // A tree over neighbouring rings, its root the outline's, is raked from its leaves; each ring before its
 // parent. What is not raked yet is then one connected piece that holds the way out, so every rake-up way can
 // run over sand that is raked later.
+#include "path/fill/peel.hpp"
+
 #include <algorithm>
 #include <utility>
 
-#include "path/fill/peel.hpp"
 #include "path/fill/seams.hpp"
 
 namespace strandline::fill {
@@ -145,9 +146,9 @@ Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice) {
 
 std::vector<Pass> ring_passes(const Region& region, const std::string& place, const Options& options,
                               Fill& account) {
-    const Regions room = room_for_centre(region, place, options, account);
-    if (room.empty()) return {};
-    const std::vector<Ring> rings = rings_of(region, room, options);
+    const Levels levels = levels_of(region, place, options, account);
+    if (levels.room.empty()) return {};
+    const std::vector<Ring> rings = rings_of(region, levels, options);
     Lattice lattice = lattice_of(region, rings, options);
     std::vector<Pass> passes;
     for (const auto& [chain, onward] : peel_of(rings, lattice)) {

@@ -15,44 +15,52 @@ constexpr double near_next = 1.06;       // of the spacing: chords against arcs
 constexpr double farthest_next = 1.5;    // of the spacing: beyond, the line would leave bare sand beside it
 constexpr double most_skew = 2.5;        // how much longer a stretch may be on one ring than on the other
 constexpr double nested_within = 1.75;   // of the spacing: a ring that is nowhere farther from the one inside
-constexpr double bare_wedge = 0.1;       // of a shift: what is left when it counts as done
+constexpr double bare_wedge = 0.2;       // of a shift: what is left when it counts as done
+constexpr double eased = 0.25;           // of a stretch, at either end: where the slope grows and fades
 constexpr double evened = 0.15;  // of a turn's own arc lengths in the shares that the last turn hands on
-constexpr int seams = 32;        // places tried round a chain's first ring and its last
+constexpr int sight_samples = 8;
+constexpr int seams = 32;  // places tried round a chain's first ring and its last
 // What a seam costs, in widths.
 constexpr double bend_cost = 0.5, gap_cost = 3, way_cost = 0.2, hop_cost = 2;
 constexpr double manoeuvre = 1;  // of the width: a longer move is a hop
 
-double smooth(double u) { return u * u * (3 - 2 * u); }
-
-double foot(const Track& track, Point p, double near) {
-    const double u = track.sense * nearest(*track.ring, p).s;
-    return u + track.ring->length * std::round((near - u) / track.ring->length);
+/// From 0 to 1 in parabola, line and parabola: the least slope for that curvature.
+double smooth(double u) {
+    const double slope = 1 / (1 - eased);
+    if (u < eased) return slope * u * u / (2 * eased);
+    if (u > 1 - eased) return 1 - slope * (1 - u) * (1 - u) / (2 * eased);
+    return slope * (u - eased / 2);
 }
 
-/// The sense of `next` in which it runs along beside `track` at u.
-Track beside(const Track& track, double u, const Ring* next, double step) {
-    const Point motion = at(track, u + step) - at(track, u - step);
-    const double s = nearest(*next, at(track, u)).s;
+double foot(const Lane& lane, Point p, double near) {
+    const double u = lane.sense * nearest(*lane.ring, p).s;
+    return u + lane.ring->length * std::round((near - u) / lane.ring->length);
+}
+
+/// The sense of `next` in which it runs along beside `lane` at u.
+Lane beside(const Lane& lane, double u, const Ring* next, double step) {
+    const Point motion = at(lane, u + step) - at(lane, u - step);
+    const double s = nearest(*next, at(lane, u)).s;
     const Point theirs = at(*next, s + step) - at(*next, s - step);
     return {next, dot(motion, theirs) < 0 ? -1 : 1};
 }
 
-/// Shares in (0, 1) of the stretch from u to v at which the track has corners.
-void add_corners(const Track& track, double u, double v, std::vector<double>& shares) {
-    const Ring& ring = *track.ring;
+/// Shares in (0, 1) of the stretch from u to v at which the lane has corners.
+void add_corners(const Lane& lane, double u, double v, std::vector<double>& shares) {
+    const Ring& ring = *lane.ring;
     if (v - u <= 0) return;
-    const double low = std::min(track.sense * u, track.sense * v), span = v - u;
+    const double low = std::min(lane.sense * u, lane.sense * v), span = v - u;
     for (double turn = std::floor(low / ring.length) * ring.length; turn < low + span; turn += ring.length) {
         const auto from = std::ranges::upper_bound(ring.arcs, low - turn);
         for (auto arc = from; arc != ring.arcs.end() && *arc < low + span - turn; ++arc) {
             const double share = (*arc + turn - low) / span;
-            shares.push_back(track.sense > 0 ? share : 1 - share);
+            shares.push_back(lane.sense > 0 ? share : 1 - share);
         }
     }
 }
 
 /// The stretch of b that faces a's knots; none where the two part.
-bool face(const Track& a, const Track& b, std::vector<Knot>& knots, double farthest) {
+bool face(const Lane& a, const Lane& b, std::vector<Knot>& knots, double farthest) {
     double last = foot(b, at(a, knots.front().a), 0);
     for (Knot& knot : knots) {
         const Point p = at(a, knot.a);
@@ -63,7 +71,7 @@ bool face(const Track& a, const Track& b, std::vector<Knot>& knots, double farth
     return theirs < most_skew * mine && mine < most_skew * theirs;
 }
 
-Shift short_shift(const Track& a, double centre, const Track& b, const Options& options) {
+Shift short_shift(const Lane& a, double centre, const Lane& b, const Options& options) {
     const double w = options.width;
     double stretch =
         std::min({options.shift * w, longest_stretch * a.ring->length, longest_stretch * b.ring->length});
@@ -82,7 +90,7 @@ Shift short_shift(const Track& a, double centre, const Track& b, const Options& 
 }
 
 /// The whole turn, where b lies round a at a spacing everywhere. `before`: the turn that ended on a.
-std::optional<Shift> whole_shift(const Track& a, double begin, const Track& b, const Shift* before,
+std::optional<Shift> whole_shift(const Lane& a, double begin, const Lane& b, const Shift* before,
                                  const Options& options) {
     const double step = knot_step * options.width, round = a.ring->length;
     for (double u = 0; u < b.ring->length; u += step)
@@ -112,7 +120,7 @@ std::optional<Shift> whole_shift(const Track& a, double begin, const Track& b, c
     return shift;
 }
 
-void shift_over(const Track& a, const Track& b, const Shift& shift, Polyline& line) {
+void shift_over(const Lane& a, const Lane& b, const Shift& shift, Polyline& line) {
     for (std::size_t k = 0; k + 1 < shift.knots.size(); ++k) {
         const Knot& from = shift.knots[k];
         const Knot& to = shift.knots[k + 1];
@@ -126,41 +134,43 @@ void shift_over(const Track& a, const Track& b, const Shift& shift, Polyline& li
     }
 }
 
-/// A seam as far as it goes: the places at which the tracks face each other, and what that costs.
-struct Seam {
-    std::vector<Track> tracks;
+/// A seam as far as it goes: the places at which the lanes face each other, and what that costs.
+struct SeamLine {
+    std::vector<Lane> lanes;
     std::vector<double> places;
     double cost = 0;
 };
 
-double bend(const Track& track, double u, double stretch) {
-    return (stretch - distance(at(track, u - stretch / 2), at(track, u)) -
-            distance(at(track, u), at(track, u + stretch / 2)));
+double bend(const Lane& lane, double u, double stretch) {
+    return (stretch - distance(at(lane, u - stretch / 2), at(lane, u)) -
+            distance(at(lane, u), at(lane, u + stretch / 2)));
 }
 
-Seam seam_from(const std::vector<const Ring*>& chain, std::size_t first, double place,
-               std::optional<Point> from, const Ring* onward, const Options& options) {
+SeamLine seam_from(const std::vector<const Ring*>& chain, std::size_t first, double place,
+                   std::optional<Point> from, const Ring* onward, const AreaIndex& floor,
+                   const Options& options) {
     const double w = options.width;
-    Seam seam{{{chain[first], 1}}, {place}, 0};
+    SeamLine seam{{{chain[first], 1}}, {place}, 0};
     for (std::size_t i = first;; ++i) {
-        const Track& here = seam.tracks.back();
+        const Lane& here = seam.lanes.back();
         const double u = seam.places.back();
         seam.cost +=
             bend_cost * bend(here, u, std::min(options.shift * w, longest_stretch * here.ring->length)) / w;
         if (i + 1 == chain.size() || !chain[i + 1]->closed) break;
-        const Track next = beside(here, u, chain[i + 1], 0.01 * w);
-        const double apart = nearest(*next.ring, at(here, u)).distance;
-        if (apart > farthest_next * options.spacing) break;
+        const Lane next = beside(here, u, chain[i + 1], 0.01 * w);
+        const Foot across = nearest(*next.ring, at(here, u));
+        const double apart = across.distance;
+        if (apart > farthest_next * options.spacing || !sees(floor, at(here, u), across.at)) break;
         seam.cost += gap_cost * std::max(0.0, apart - near_next * options.spacing) / w;
         seam.places.push_back(foot(next, at(here, u), u));
-        seam.tracks.push_back(next);
+        seam.lanes.push_back(next);
     }
     if (from) {
-        const double d = distance(*from, at(seam.tracks.front(), place)) / w;
+        const double d = distance(*from, at(seam.lanes.front(), place)) / w;
         seam.cost += way_cost * d + (d > manoeuvre ? hop_cost : 0);
     }
-    if (onward && first + seam.tracks.size() == chain.size()) {
-        const double d = nearest(*onward, at(seam.tracks.back(), seam.places.back())).distance / w;
+    if (onward && first + seam.lanes.size() == chain.size()) {
+        const double d = nearest(*onward, at(seam.lanes.back(), seam.places.back())).distance / w;
         seam.cost += way_cost * d + (d > near_next ? hop_cost : 0);
     }
     return seam;
@@ -168,16 +178,22 @@ Seam seam_from(const std::vector<const Ring*>& chain, std::size_t first, double 
 
 }  // namespace
 
-Point at(const Track& track, double u) { return at(*track.ring, track.sense * u); }
+Point at(const Lane& lane, double u) { return at(*lane.ring, lane.sense * u); }
+
+bool sees(const AreaIndex& floor, Point a, Point b) {
+    for (int k = 1; k < sight_samples; ++k)
+        if (!floor.contains(between(a, b, static_cast<double>(k) / sight_samples))) return false;
+    return true;
+}
 
 Revolutions revolutions(const std::vector<const Ring*>& chain, std::size_t first, std::optional<Point> from,
-                        const Ring* onward, const Options& options) {
+                        const Ring* onward, const AreaIndex& floor, const Options& options) {
     const Ring& innermost = *chain[first];
-    std::optional<Seam> best;
+    std::optional<SeamLine> best;
     const auto attempt = [&](double place) {
-        Seam seam = seam_from(chain, first, place, from, onward, options);
-        if (!best || seam.tracks.size() > best->tracks.size() ||
-            (seam.tracks.size() == best->tracks.size() && seam.cost < best->cost - 1e-9))
+        SeamLine seam = seam_from(chain, first, place, from, onward, floor, options);
+        if (!best || seam.lanes.size() > best->lanes.size() ||
+            (seam.lanes.size() == best->lanes.size() && seam.cost < best->cost - 1e-9))
             best = std::move(seam);
     };
     for (int k = 0; k < seams; ++k) attempt(innermost.length * k / seams);
@@ -191,10 +207,10 @@ Revolutions revolutions(const std::vector<const Ring*>& chain, std::size_t first
     };
     for (int k = 0; k < seams; ++k) inwards(at(*chain[last], chain[last]->length * k / seams));
 
-    Revolutions found{best->tracks, {}, best->places.front()};
+    Revolutions found{best->lanes, {}, best->places.front()};
     double arrival = 0;
-    for (std::size_t i = 0; i + 1 < found.tracks.size(); ++i) {
-        const Track &a = found.tracks[i], &b = found.tracks[i + 1];
+    for (std::size_t i = 0; i + 1 < found.lanes.size(); ++i) {
+        const Lane &a = found.lanes[i], &b = found.lanes[i + 1];
         const Shift* before = i > 0 ? &found.shifts.back() : nullptr;
         std::optional<Shift> whole;
         if (options.shift * options.width >= b.ring->length)
@@ -212,15 +228,15 @@ Revolutions revolutions(const std::vector<const Ring*>& chain, std::size_t first
 
 Polyline line_of(const Revolutions& r) {
     Polyline line;
-    const auto go = [&](const Track& track, double from, double to) {
-        const Polyline part = along(*track.ring, track.sense * from, track.sense * (to - from));
+    const auto go = [&](const Lane& lane, double from, double to) {
+        const Polyline part = along(*lane.ring, lane.sense * from, lane.sense * (to - from));
         line.insert(line.end(), part.begin(), part.end());
     };
     double here = r.begin;
-    for (std::size_t i = 0; i < r.tracks.size(); ++i) {
-        const Track& track = r.tracks[i];
-        const double round = track.ring->length;
-        if (i + 1 == r.tracks.size()) {
+    for (std::size_t i = 0; i < r.lanes.size(); ++i) {
+        const Lane& lane = r.lanes[i];
+        const double round = lane.ring->length;
+        if (i + 1 == r.lanes.size()) {
             double end = here + round;
             if (i > 0)
                 for (const Knot& knot : r.shifts[i - 1].knots)
@@ -228,16 +244,16 @@ Polyline line_of(const Revolutions& r) {
                         end = knot.b + round;
                         break;
                     }
-            go(track, here, end);
+            go(lane, here, end);
             break;
         }
         const Shift& next = r.shifts[i];
         if (!(i > 0 && r.shifts[i - 1].whole && next.whole)) {
             const double leave = next.knots.front().a;
             const double turns = std::ceil((here - leave) / round + longest_stretch / 2);
-            go(track, here, leave + turns * round);
+            go(lane, here, leave + turns * round);
         }
-        shift_over(track, r.tracks[i + 1], next, line);
+        shift_over(lane, r.lanes[i + 1], next, line);
         here = next.knots.back().b;
     }
     return line;

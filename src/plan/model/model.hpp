@@ -60,7 +60,8 @@ struct Options {
     } text;
     struct FillArea {                 // "fill.*"
         std::string style = "rings";  // rings | spiral | zigzag
-        double spacing = 0, direction = 0;
+        std::string inset = "offset";  // offset | skeleton
+        double shift = 3, spacing = 0, direction = 0;
         bool best_direction = true;
         std::string partition = "monotone";  // none | monotone | optimal-convex
         double part_inset = 0, min_area = 0.01;
