@@ -6,7 +6,7 @@
 namespace strandline::fill {
 namespace {
 
-constexpr double arc_share = 100;  // of the width: chord error of arcs
+constexpr double sand_arcs = 200, centre_arcs = 100;  // of the width: chord errors
 
 /// The parts that lie in the whole.
 Regions parts_in(const Regions& whole, const Regions& parts) {
@@ -44,13 +44,13 @@ Levels levels_of(const Region& region, const std::string& place, const Options& 
 
 Regions sand_within(const Levels& levels, const Regions& centre, int level, const Options& options) {
     if (levels.sand.empty())
-        return inset(centre, options.spacing - options.width / 2, options.width / arc_share);
+        return inset(centre, options.spacing - options.width / 2, options.width / sand_arcs);
     const auto next = static_cast<std::size_t>(level) + 1;
     return next < levels.sand.size() ? parts_in(centre, levels.sand[next]) : Regions{};
 }
 
 Regions centre_of(const Levels& levels, const Region& sand, int level, const Options& options) {
-    if (levels.sand.empty()) return inset({sand}, options.width / 2, options.width / arc_share);
+    if (levels.sand.empty()) return inset({sand}, options.width / 2, options.width / centre_arcs);
     const auto here = static_cast<std::size_t>(level);
     return here < levels.centre.size() ? parts_in({sand}, levels.centre[here]) : Regions{};
 }

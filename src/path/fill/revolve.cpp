@@ -226,11 +226,10 @@ Revolutions revolutions(const std::vector<const Ring*>& chain, std::size_t first
     return found;
 }
 
-Polyline line_of(const Revolutions& r) {
-    Polyline line;
-    const auto go = [&](const Lane& lane, double from, double to) {
-        const Polyline part = along(*lane.ring, lane.sense * from, lane.sense * (to - from));
-        line.insert(line.end(), part.begin(), part.end());
+Line line_of(const Revolutions& r) {
+    Line line;
+    const auto part = [&](const Lane& lane, double from, double to) {
+        return along(*lane.ring, lane.sense * from, lane.sense * (to - from));
     };
     double here = r.begin;
     for (std::size_t i = 0; i < r.lanes.size(); ++i) {
@@ -244,16 +243,17 @@ Polyline line_of(const Revolutions& r) {
                         end = knot.b + round;
                         break;
                     }
-            go(lane, here, end);
+            line.last = part(lane, here, end);
             break;
         }
         const Shift& next = r.shifts[i];
         if (!(i > 0 && r.shifts[i - 1].whole && next.whole)) {
             const double leave = next.knots.front().a;
             const double turns = std::ceil((here - leave) / round + longest_stretch / 2);
-            go(lane, here, leave + turns * round);
+            const Polyline turn = part(lane, here, leave + turns * round);
+            line.rest.insert(line.rest.end(), turn.begin(), turn.end());
         }
-        shift_over(lane, r.lanes[i + 1], next, line);
+        shift_over(lane, r.lanes[i + 1], next, line.rest);
         here = next.knots.back().b;
     }
     return line;

@@ -39,7 +39,11 @@ Revolutions revolutions(const std::vector<const Ring*>& chain, std::size_t first
 /// Whether the way between two places a spacing or two apart stays on the floor, by samples.
 bool sees(const AreaIndex& floor, Point a, Point b);
 
-/// The line: each ring but for where it shifts to the next, the last one closed.
-Polyline line_of(const Revolutions& revolutions);
+/// The line: each ring but for where it shifts to the next; and its last turn, which closes the last ring and
+/// goes on where the rest ends.
+struct Line {
+    Polyline rest, last;
+};
+Line line_of(const Revolutions& revolutions);
 
 }  // namespace strandline::fill

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "path/fill/corners.hpp"
 #include "path/fill/peel.hpp"
 #include "path/fill/revolve.hpp"
 #include "path/fill/seams.hpp"
@@ -39,6 +40,15 @@ void go_on(Work& work, Polyline line, bool may_step, const Options& options) {
     work.passes.push_back({std::move(reach), std::move(line)});
 }
 
+/// The line of a spiral. Only the border has its corners cut: within, the line is not interrupted.
+void revolve(Work& work, Line line, bool may_step, bool border, const Options& options) {
+    std::vector<Polyline> lasts{line.last};
+    if (border) lasts = with_cut_corners(line.last, false, options);
+    line.rest.insert(line.rest.end(), lasts.front().begin(), lasts.front().end());
+    go_on(work, std::move(line.rest), may_step, options);
+    for (std::size_t k = 1; k < lasts.size(); ++k) go_on(work, std::move(lasts[k]), false, options);
+}
+
 }  // namespace
 
 std::vector<Pass> spiral_passes(const Region& region, const std::string& place, const Options& options,
@@ -64,8 +74,8 @@ std::vector<Pass> spiral_passes(const Region& region, const std::string& place, 
             } else {
                 const bool after_spine = may_step && !chain[i - 1]->closed && chain[i - 1]->teeth.empty();
                 const Revolutions turns = revolutions(chain, i, here, onward, work.floor, options);
-                go_on(work, line_of(turns), after_spine, options);
                 i += turns.lanes.size();
+                revolve(work, line_of(turns), after_spine, i == chain.size() && !onward, options);
             }
             may_step = true;
         }
