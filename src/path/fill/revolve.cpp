@@ -60,18 +60,19 @@ void add_corners(const Lane& lane, double u, double v, std::vector<double>& shar
 }
 
 /// The stretch of b that faces a's knots; none where the two part.
-bool face(const Lane& a, const Lane& b, std::vector<Knot>& knots, double farthest) {
+bool face(const Lane& a, const Lane& b, std::vector<Knot>& knots, double farthest, const AreaIndex& floor) {
     double last = foot(b, at(a, knots.front().a), 0);
     for (Knot& knot : knots) {
         const Point p = at(a, knot.a);
         knot.b = last = std::max(last, foot(b, p, last));
-        if (distance(p, at(b, knot.b)) > farthest) return false;
+        if (distance(p, at(b, knot.b)) > farthest || !sees(floor, p, at(b, knot.b))) return false;
     }
     const double mine = knots.back().a - knots.front().a, theirs = knots.back().b - knots.front().b;
     return theirs < most_skew * mine && mine < most_skew * theirs;
 }
 
-Shift short_shift(const Lane& a, double centre, const Lane& b, const Options& options) {
+Shift short_shift(const Lane& a, double centre, const Lane& b, const AreaIndex& floor,
+                  const Options& options) {
     const double w = options.width;
     double stretch =
         std::min({options.shift * w, longest_stretch * a.ring->length, longest_stretch * b.ring->length});
@@ -81,7 +82,7 @@ Shift short_shift(const Lane& a, double centre, const Lane& b, const Options& op
         for (int k = 0; k <= n; ++k)
             shift.knots.push_back({centre + stretch * (static_cast<double>(k) / n - 0.5), 0,
                                    smooth(static_cast<double>(k) / n)});
-        if (face(a, b, shift.knots, farthest_next * options.spacing)) return shift;
+        if (face(a, b, shift.knots, farthest_next * options.spacing, floor)) return shift;
         if (stretch < shortest_stretch * w) {
             const double there = foot(b, at(a, centre), 0);
             return {{{centre, there, 0}, {centre, there, 1}}, false};
@@ -91,8 +92,9 @@ Shift short_shift(const Lane& a, double centre, const Lane& b, const Options& op
 
 /// The whole turn, where b lies round a at a spacing everywhere. `before`: the turn that ended on a.
 std::optional<Shift> whole_shift(const Lane& a, double begin, const Lane& b, const Shift* before,
-                                 const Options& options) {
+                                 const AreaIndex& floor, const Options& options) {
     const double step = knot_step * options.width, round = a.ring->length;
+    if (!contains(b.ring->line, at(a, begin))) return std::nullopt;
     for (double u = 0; u < b.ring->length; u += step)
         if (nearest(*a.ring, at(b, u)).distance > nested_within * options.spacing) return std::nullopt;
     Shift shift{{}, true};
@@ -117,6 +119,8 @@ std::optional<Shift> whole_shift(const Lane& a, double begin, const Lane& b, con
     for (Knot& knot : knots) knot.b = last = std::clamp(foot(b, at(a, knot.a), last), last, end);
     if (knots.back().b < end - options.width) knots.back().b = end;
     knots.back().b = end;
+    for (const Knot& knot : knots)
+        if (!sees(floor, at(a, knot.a), at(b, knot.b))) return std::nullopt;
     return shift;
 }
 
@@ -214,8 +218,9 @@ Revolutions revolutions(const std::vector<const Ring*>& chain, std::size_t first
         const Shift* before = i > 0 ? &found.shifts.back() : nullptr;
         std::optional<Shift> whole;
         if (options.shift * options.width >= b.ring->length)
-            whole = whole_shift(a, i > 0 ? arrival : best->places[0], b, before, options);
-        found.shifts.push_back(whole ? std::move(*whole) : short_shift(a, best->places[i], b, options));
+            whole = whole_shift(a, i > 0 ? arrival : best->places[0], b, before, floor, options);
+        found.shifts.push_back(whole ? std::move(*whole)
+                                     : short_shift(a, best->places[i], b, floor, options));
         arrival = found.shifts.back().knots.back().b;
     }
     if (!found.shifts.empty()) {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double longest_step = 1.5;   // of the spacing: from or to a spine's end, raked
 constexpr double floor_margin = 0.02;  // of the width
+constexpr double least_edge = 1e-3;    // of the width: shorter ones have no direction to speak of
 
 /// The passes of one area as they come, and the sand they have raked.
 struct Work {
@@ -82,7 +83,7 @@ std::vector<Pass> spiral_passes(const Region& region, const std::string& place, 
     }
     for (Pass& pass : work.passes)
         pass.line = without_duplicates(rounded(pass.line, options.round_corners ? options.turn_radius : 0),
-                                       1e-9 * options.width);
+                                       least_edge * options.width);
     return work.passes;
 }
 
