@@ -77,9 +77,11 @@ struct TourArguments {
 int tour(const TourArguments& arguments, const Common& common);
 
 struct FillArguments {
-    std::string input, output = "-", style = "rings", vehicle = "free", width, spacing, direction;
+    std::string input, output = "-", style = "rings", inset = "offset", vehicle = "free", width, spacing,
+                       direction;
     std::string partition = "fitted", cuts, narrow = "single-pass";
     bool one_stroke = false;
+    double shift = 3;         ///< rake widths
     std::optional<int> pins;  ///< liftable, with masks; absent: a solid rake
 };
 int fill(const FillArguments& arguments, const Common& common);

@@ -64,6 +64,12 @@ int fill(const FillArguments& arguments, const Common& common) {
     else if (arguments.narrow != "single-pass")
         return complain({"--narrow " + arguments.narrow, "is not a choice", "use single-pass or warn"},
                         bad_call);
+    if (arguments.inset == "skeleton")
+        options.insets = fill::Insets::skeleton;
+    else if (arguments.inset != "offset")
+        return complain({"--inset " + arguments.inset, "is no kind of inset", "use offset or skeleton"},
+                        bad_call);
+    options.shift = arguments.shift;
 
     std::optional<double> width, spacing;
     if (!arguments.width.empty()) {

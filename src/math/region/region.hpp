@@ -34,6 +34,10 @@ Point point_inside(const Region& region);
 /// (chord error `arc_tolerance`, metres; 0: by/500). `by` < 0 grows with round corners. `arc_tolerance` is
 /// capped at |by|/4.
 Regions inset(const Regions& regions, double by, double arc_tolerance = 0);
+/// Mitred insets by each of the distances, all above 0, from one straight skeleton (CGAL): every edge moves
+/// in parallel, so reflex corners run out to points. Holes are served. At most 1,000 corners and simple
+/// outlines: else an Error that says which. About O(n^2).
+Outcome<std::vector<Regions>> skeleton_insets(const Region& region, const std::vector<double>& distances);
 /// Outline moves at most `tolerance`; a part that vanishes is dropped (area below tolerance^2).
 Regions simplified(const Regions& regions, double tolerance);
 /// The area within `radius` of an open or closed chain: what a round pen of that radius leaves. Round joins
@@ -77,8 +81,8 @@ class AreaIndex {
     std::vector<std::size_t> band_starts_, band_edges_;  ///< edges of band i: band_edges_[starts[i]..[i + 1])
 };
 
-/// The middle lines of an area: the centres of the discs that touch its outline twice or more (Blum 1967), as a
-/// graph. It reaches into every convex corner.
+/// The middle lines of an area: the centres of the discs that touch its outline twice or more (Blum 1967), as
+/// a graph. It reaches into every convex corner.
 struct MedialAxis {
     struct Node {
         Point at;

@@ -107,8 +107,10 @@ Regions room_for_centre(const Region& region, const std::string& place, const Op
 Fill fill_region(const Region& region, int element, const std::string& place, const Options& options) {
     Fill fill;
     fill.area = area(region);
-    std::vector<Pass> passes = options.style == Style::zigzag ? zigzag_passes(region, place, options, fill)
-                                                              : ring_passes(region, place, options, fill);
+    const auto passes_of = options.style == Style::zigzag   ? zigzag_passes
+                           : options.style == Style::spiral ? spiral_passes
+                                                            : ring_passes;
+    std::vector<Pass> passes = passes_of(region, place, options, fill);
     NarrowParts narrow = narrow_parts(region, options);
     if (passes.empty() && narrow.arms.empty()) narrow = middle_part(region, options);
     say_narrow(narrow, place, options, fill);

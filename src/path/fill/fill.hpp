@@ -17,6 +17,9 @@ enum class Style { rings, spiral, zigzag };
 /// which every line is in one piece (one direction for all); into the fewest convex parts, each with its own
 /// direction; or where a cut and another direction behind it waste less sand than they cost.
 enum class Partition { none, monotone, optimal_convex, fitted };
+/// How rings follow from the outline (rings, spiral): Euclidean insets; or the mitred ones of its straight
+/// skeleton, as in the thesis.
+enum class Insets { offset, skeleton };
 /// How a ring leads on to the next one (rings): by a step half a width before it closes; from wherever it
 /// ends to the nearest place of the next; the same with the sense turned at each ring; from the longest edge.
 enum class Join { half_step, nearest, alternating, longest_edge };
@@ -27,8 +30,11 @@ enum class Narrow { single_pass, warn };
 
 struct Options {
     Style style = Style::rings;
+    Insets insets = Insets::offset;
     Join join = Join::half_step;
-    double width = 0.42;    ///< rake width, metres
+    double shift = 3;     ///< spiral, rake widths: the stretch of each turn along which it shifts to the next
+                          ///< ring; more than a turn: all along, as a spiral of Archimedes
+    double width = 0.42;  ///< rake width, metres
     double spacing = 0.40;  ///< metres between neighbouring passes, 0 < spacing <= width
     std::optional<double> direction =
         {};  ///< zigzag lines, radians; absent: that with the least waste, in each segment
@@ -110,6 +116,7 @@ struct Fill {
     double swept = 0;            ///< stroke length x width, m^2
     std::optional<Account> account;  ///< where options ask for it
     int dropped_parts = 0;           ///< smaller than min_area or narrower than the rake
+    int skeletons_replaced = 0;      ///< 1: Euclidean insets instead of the skeleton's
     Warnings warnings;               ///< partition replaced, what is narrower than the rake, by place; ...
 };
 

@@ -11,6 +11,8 @@ struct Pass {
 };
 std::vector<Pass> ring_passes(const Region& region, const std::string& place, const Options& options,
                               Fill& account);
+std::vector<Pass> spiral_passes(const Region& region, const std::string& place, const Options& options,
+                                Fill& account);
 std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, const Options& options,
                                 Fill& account);
 
@@ -18,6 +20,18 @@ std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, 
 /// without parts that serve less than `min_area` (counted in `account`, and said).
 Regions room_for_centre(const Region& region, const std::string& place, const Options& options,
                         Fill& account);
+/// The insets whose outlines are rings. Level k of the rake's centre is half a width and k spacings from the
+/// outline, level k of the sand that it and the further ones rake k spacings.
+struct Levels {
+    Regions room;                       // level 0 of the centre
+    std::vector<Regions> sand, centre;  // all levels from the straight skeleton; empty: each from the last
+};
+/// Falls back to Euclidean insets with a warning where there is no skeleton.
+Levels levels_of(const Region& region, const std::string& place, const Options& options, Fill& account);
+/// The sand of the next level within the rings along `centre`, which is of `level`.
+Regions sand_within(const Levels& levels, const Regions& centre, int level, const Options& options);
+/// The centre of `level` in sand of it.
+Regions centre_of(const Levels& levels, const Region& sand, int level, const Options& options);
 /// The middle line of a long thin area without holes: midpoints of the pairs of outline points that are
 /// equally far from the tip at which pairing leaves the least distance. Empty when a pair is farther apart
 /// than `widest`. O(corners), 48 x 64 samples.

@@ -2,10 +2,11 @@
 // A tree over neighbouring rings, its root the outline's, is raked from its leaves; each ring before its
 // parent. What is not raked yet is then one connected piece that holds the way out, so every rake-up way can
 // run over sand that is raked later.
+#include "path/fill/peel.hpp"
+
 #include <algorithm>
 #include <utility>
 
-#include "path/fill/lattice.hpp"
 #include "path/fill/seams.hpp"
 
 namespace strandline::fill {
@@ -75,7 +76,7 @@ Tree depth_first(const std::vector<Ring>& rings, const Neighbours& beside, Rank 
 }
 
 /// The tree with the fewest leaves of a few: each leaf but one costs a hop.
-Tree peel_tree(const std::vector<Ring>& rings, const Neighbours& beside) {
+Tree fewest_leaves(const std::vector<Ring>& rings, const Neighbours& beside) {
     Tree best = depth_first(rings, beside, Rank::fewest_left);
     for (Rank rank : {Rank::deepest, Rank::longest_contact})
         if (Tree tree = depth_first(rings, beside, rank); tree.leaves < best.leaves) best = std::move(tree);
@@ -130,19 +131,27 @@ void keep_off_raked(std::vector<Polyline>& teeth, const Lattice& lattice, double
 
 }  // namespace
 
+Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice) {
+    const Tree tree = fewest_leaves(rings, neighbours_of(rings.size(), contacts(lattice)));
+    Peel peel;
+    for (const std::vector<int>& numbers : chains_of(rings, tree)) {
+        Chain chain;
+        for (int r : numbers) chain.rings.push_back(&rings[static_cast<std::size_t>(r)]);
+        if (const int parent = tree.parent[static_cast<std::size_t>(numbers.back())]; parent >= 0)
+            chain.onward = &rings[static_cast<std::size_t>(parent)];
+        peel.push_back(std::move(chain));
+    }
+    return peel;
+}
+
 std::vector<Pass> ring_passes(const Region& region, const std::string& place, const Options& options,
                               Fill& account) {
-    const Regions room = room_for_centre(region, place, options, account);
-    if (room.empty()) return {};
-    const std::vector<Ring> rings = rings_of(region, room, options);
+    const Levels levels = levels_of(region, place, options, account);
+    if (levels.room.empty()) return {};
+    const std::vector<Ring> rings = rings_of(region, levels, options);
     Lattice lattice = lattice_of(region, rings, options);
-    const Tree tree = peel_tree(rings, neighbours_of(rings.size(), contacts(lattice)));
     std::vector<Pass> passes;
-    for (const std::vector<int>& numbers : chains_of(rings, tree)) {
-        std::vector<const Ring*> chain;
-        for (int r : numbers) chain.push_back(&rings[static_cast<std::size_t>(r)]);
-        const int parent = tree.parent[static_cast<std::size_t>(numbers.back())];
-        const Ring* onward = parent < 0 ? nullptr : &rings[static_cast<std::size_t>(parent)];
+    for (const auto& [chain, onward] : peel_of(rings, lattice)) {
         std::optional<Point> here;
         if (!passes.empty()) here = passes.back().line.back();
         const std::vector<Seam> seams = seams_of(chain, onward, here, options);

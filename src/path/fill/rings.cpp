@@ -66,8 +66,8 @@ void append(std::vector<Ring>& rings, std::vector<Ring>&& more) {
 
 class Nesting {
   public:
-    Nesting(const Options& options, double thinning)
-        : options_(options), w_(options.width), thinning_(thinning) {}
+    Nesting(const Levels& levels, const Options& options, double thinning)
+        : levels_(levels), options_(options), w_(options.width), thinning_(thinning) {}
 
     /// Rings along the outlines of `centre`, and what lies within them. `sand`: what they are to rake.
     Nest ringed(const Regions& sand, const Regions& centre, int level) const {
@@ -83,7 +83,7 @@ class Nesting {
             deepest = std::max(deepest, inner.levels);
             append(nest.rings, std::move(inner.rings));
         };
-        for (const Region& rest : inset(centre, options_.spacing - w_ / 2, w_ / 200))
+        for (const Region& rest : sand_within(levels_, centre, level, options_))
             if (area(rest) > (options_.masked ? least_masked_gap : least_gap) * w_ * w_)
                 take(filled(rest, level + 1));
         // Beside the rings: necks narrower than the rake, and corners.
@@ -99,8 +99,8 @@ class Nesting {
 
   private:
     /// Where the rake's centre goes in sand that is raked by rings.
-    Regions centre_of(const Region& sand) const {
-        Regions centre = inset({sand}, w_ / 2, w_ / 100);
+    Regions thinned_centre(const Region& sand, int level) const {
+        Regions centre = centre_of(levels_, sand, level, options_);
         for (Region& part : centre) {
             part.outer = thinned_outline(part.outer, thinning_);
             for (Polygon& hole : part.holes) hole = thinned_outline(hole, thinning_);
@@ -135,7 +135,7 @@ class Nesting {
 
     /// The best choice for sand that nothing outside of it rakes.
     Nest filled(const Region& sand, int level) const {
-        const Regions centre = centre_of(sand);
+        const Regions centre = thinned_centre(sand, level);
         Nest best;
         if (!centre.empty()) best = ringed({sand}, centre, level);
         if (best.levels > most_trial_levels) return best;
@@ -185,6 +185,7 @@ class Nesting {
         return line;
     }
 
+    const Levels& levels_;
     const Options& options_;
     double w_, thinning_;
 };
@@ -257,8 +258,8 @@ Point at(const Ring& ring, double s) {
     return d > 0 ? between(a, b, std::min(1.0, (s - ring.arcs[i]) / d)) : a;
 }
 
-std::vector<Ring> rings_of(const Region& region, const Regions& room, const Options& options) {
-    Regions border = room;
+std::vector<Ring> rings_of(const Region& region, const Levels& levels, const Options& options) {
+    Regions border = levels.room;
     std::size_t corners = 0;
     for (Region& part : border) {
         part.outer = thinned_outline(part.outer, options.width / fine);
@@ -269,7 +270,7 @@ std::vector<Ring> rings_of(const Region& region, const Regions& room, const Opti
         }
     }
     const double thinning = options.width / (corners > many_corners ? coarse : fine);
-    return Nesting(options, thinning).ringed({region}, border, 0).rings;
+    return Nesting(levels, options, thinning).ringed({region}, border, 0).rings;
 }
 
 }  // namespace strandline::fill

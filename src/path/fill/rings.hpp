@@ -28,9 +28,9 @@ Point at(const Ring& ring, double s);
 /// ends.
 Polyline along(const Ring& ring, double from, double span);
 
-/// All rings, spines and combs of an area, given as room_for_centre gives it: outermost first. Where insets
+/// All rings, spines and combs of an area, by its insets: outermost first. Where insets
 /// leave less than about two widths between them, rings, a spine, a comb and nothing are tried on a raster,
 /// and what leaves least bare and rakes least twice is taken.
-std::vector<Ring> rings_of(const Region& region, const Regions& room, const Options& options);
+std::vector<Ring> rings_of(const Region& region, const Levels& levels, const Options& options);
 
 }  // namespace strandline::fill

@@ -58,9 +58,10 @@ struct Options {
             true;  // a font that is absent is replaced, with a warning; else its text is left out
         bool operator==(const Text&) const = default;
     } text;
-    struct FillArea {                 // "fill.*"
-        std::string style = "rings";  // rings | spiral | zigzag
-        double spacing = 0, direction = 0;
+    struct FillArea {                  // "fill.*"
+        std::string style = "rings";   // rings | spiral | zigzag
+        std::string inset = "offset";  // offset | skeleton
+        double shift = 3, spacing = 0, direction = 0;
         bool best_direction = true;
         std::string partition = "fitted";  // none | monotone | optimal-convex | fitted
         std::string cuts;                  // "x,y x,y; x,y x,y"

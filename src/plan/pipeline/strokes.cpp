@@ -86,6 +86,8 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
     o.style = f.style == "zigzag"   ? fill::Style::zigzag
               : f.style == "spiral" ? fill::Style::spiral
                                     : fill::Style::rings;
+    o.insets = f.inset == "skeleton" ? fill::Insets::skeleton : fill::Insets::offset;
+    o.shift = f.shift;
     o.width = robot.rake_width();
     o.spacing = f.spacing > 0 ? std::min(f.spacing, o.width) : default_spacing * o.width;
     if (!f.best_direction) o.direction = f.direction;

@@ -1,0 +1,90 @@
+// Spirals, inside to outside: one line over all rings that have a seam in common.
+// Branches of the nest and rings round holes are spirals of their own, raked before what they lead on to.
+#include <algorithm>
+#include <utility>
+
+#include "path/fill/corners.hpp"
+#include "path/fill/peel.hpp"
+#include "path/fill/revolve.hpp"
+#include "path/fill/seams.hpp"
+
+namespace strandline::fill {
+namespace {
+
+constexpr double longest_step = 1.5;   // of the spacing: from or to a spine's end, raked
+constexpr double floor_margin = 0.02;  // of the width
+constexpr double least_edge = 1e-3;    // of the width: shorter ones have no direction to speak of
+
+/// The passes of one area as they come, and the sand they have raked.
+struct Work {
+    Lattice lattice;
+    AreaIndex floor;  // of the rake's centre, with room for chords
+    std::vector<Pass> passes;
+};
+
+/// Goes on with a line: raked from where the rake is when that is a step to or from a spine, else rake up.
+void go_on(Work& work, Polyline line, bool may_step, const Options& options) {
+    if (line.size() < 2) return;
+    Polyline reach;
+    if (!work.passes.empty()) {
+        Polyline& last = work.passes.back().line;
+        const double gap = distance(last.back(), line.front());
+        if (may_step && gap < longest_step * options.spacing && sees(work.floor, last.back(), line.front())) {
+            rake(work.lattice, {last.back(), line.front()}, options);
+            rake(work.lattice, line, options);
+            last.insert(last.end(), line.begin(), line.end());
+            return;
+        }
+        if (gap > options.width) reach = way(work.lattice, last.back(), line.front());
+    }
+    rake(work.lattice, line, options);
+    work.passes.push_back({std::move(reach), std::move(line)});
+}
+
+/// The line of a spiral. Only the border has its corners cut: within, the line is not interrupted.
+void revolve(Work& work, Line line, bool may_step, bool border, const Options& options) {
+    std::vector<Polyline> lasts{line.last};
+    if (border) lasts = with_cut_corners(line.last, false, options);
+    line.rest.insert(line.rest.end(), lasts.front().begin(), lasts.front().end());
+    go_on(work, std::move(line.rest), may_step, options);
+    for (std::size_t k = 1; k < lasts.size(); ++k) go_on(work, std::move(lasts[k]), false, options);
+}
+
+}  // namespace
+
+std::vector<Pass> spiral_passes(const Region& region, const std::string& place, const Options& options,
+                                Fill& account) {
+    const Levels levels = levels_of(region, place, options, account);
+    if (levels.room.empty()) return {};
+    const std::vector<Ring> rings = rings_of(region, levels, options);
+    Work work{lattice_of(region, rings, options),
+              AreaIndex(inset({region}, (0.5 - floor_margin) * options.width)),
+              {}};
+    for (const auto& [chain, onward] : peel_of(rings, work.lattice)) {
+        bool may_step = false;  // within a chain only: elsewhere raked sand may lie between
+        for (std::size_t i = 0; i < chain.size();) {
+            std::optional<Point> here;
+            if (!work.passes.empty()) here = work.passes.back().line.back();
+            if (!chain[i]->closed) {
+                const Ring* next = i + 1 < chain.size() ? chain[i + 1] : onward;
+                const Seam seam = seams_of({chain[i]}, next, here, options).front();
+                const bool spine = chain[i]->teeth.empty();
+                for (Polyline& line : passes_along(*chain[i], seam, options))
+                    go_on(work, std::move(line), spine && may_step, options);
+                ++i;
+            } else {
+                const bool after_spine = may_step && !chain[i - 1]->closed && chain[i - 1]->teeth.empty();
+                const Revolutions turns = revolutions(chain, i, here, onward, work.floor, options);
+                i += turns.lanes.size();
+                revolve(work, line_of(turns), after_spine, i == chain.size() && !onward, options);
+            }
+            may_step = true;
+        }
+    }
+    for (Pass& pass : work.passes)
+        pass.line = without_duplicates(rounded(pass.line, options.round_corners ? options.turn_radius : 0),
+                                       least_edge * options.width);
+    return work.passes;
+}
+
+}  // namespace strandline::fill
