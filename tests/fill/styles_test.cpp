@@ -63,7 +63,7 @@ TEST(FillStyles, WhatIsTooSmallIsDroppedCountedAndSaid) {
 
 TEST(FillStyles, AnArmTooNarrowForTheRakeIsNamedByPlace) {
     const Region key = areas::of({{{0, 0}, {3, 0}, {3, 1.4}, {8, 1.4}, {8, 1.6}, {3, 1.6}, {3, 3}, {0, 3}}});
-    const Fill fill = fill_region(key, 0, "key", {.width = 0.4, .spacing = 0.4});
+    const Fill fill = fill_region(key, 0, "key", {.width = 0.4, .spacing = 0.4, .narrow = Narrow::warn});
     ASSERT_EQ(fill.warnings.size(), 1u);
     EXPECT_NE(fill.warnings[0].reason.find("left bare"), std::string::npos);
 }

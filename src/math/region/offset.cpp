@@ -23,6 +23,7 @@ double arc_error(double radius, double asked) {
 
 Regions inset(const Regions& regions, double by, double arc_tolerance) {
     if (by == 0 || regions.empty()) return regions;
+    if (const Box box = bounds(regions); 2 * by >= std::min(box.width(), box.height())) return {};
     const grid::Grid on_grid = grid::fitted_to(grown(bounds(regions), std::max(0.0, -by)));
     ClipperLib::Paths paths;
     grid::add(paths, on_grid, regions);

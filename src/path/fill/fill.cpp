@@ -118,7 +118,7 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
     if (options.narrow == Narrow::single_pass) passes = with_arms(std::move(passes), narrow, options);
     const auto served = [](const Arm& arm) { return !arm.line.empty(); };
     if (passes.empty() && std::ranges::none_of(narrow.arms, served)) {
-        ++fill.dropped_parts;
+        if (narrow.arms.empty()) ++fill.dropped_parts;  // else they are counted
         fill.warnings.push_back(
             {place, fmt::format("is narrower than the rake ({:.2g} m) or smaller than {} m2: not filled",
                                 options.width, options.min_area)});

@@ -60,9 +60,10 @@ void add_corners(const Lane& lane, double u, double v, std::vector<double>& shar
 }
 
 /// The stretch of b that faces a's knots; none where the two part.
-bool face(const Lane& a, const Lane& b, std::vector<Knot>& knots, double farthest, const AreaIndex& floor) {
+bool face(const Lane& a, const Lane& b, std::vector<ShiftKnot>& knots, double farthest,
+          const AreaIndex& floor) {
     double last = foot(b, at(a, knots.front().a), 0);
-    for (Knot& knot : knots) {
+    for (ShiftKnot& knot : knots) {
         const Point p = at(a, knot.a);
         knot.b = last = std::max(last, foot(b, p, last));
         if (distance(p, at(b, knot.b)) > farthest || !sees(floor, p, at(b, knot.b))) return false;
@@ -104,7 +105,7 @@ std::optional<Shift> whole_shift(const Lane& a, double begin, const Lane& b, con
         const double own = static_cast<double>(k) / n;
         double share = own;
         if (before && before->whole) {  // the share that the last turn had here, so that the distance holds
-            const std::vector<Knot>& knots = before->knots;
+            const std::vector<ShiftKnot>& knots = before->knots;
             const double u = knots.front().b + own * round;
             while (i + 1 < knots.size() && knots[i].b < u) ++i;
             const double span = knots[i].b - knots[i - 1].b;
@@ -113,21 +114,21 @@ std::optional<Shift> whole_shift(const Lane& a, double begin, const Lane& b, con
         }
         shift.knots.push_back({begin + own * round, 0, share});
     }
-    std::vector<Knot>& knots = shift.knots;
+    std::vector<ShiftKnot>& knots = shift.knots;
     double last = foot(b, at(a, begin), 0);
     const double end = last + b.ring->length;
-    for (Knot& knot : knots) knot.b = last = std::clamp(foot(b, at(a, knot.a), last), last, end);
+    for (ShiftKnot& knot : knots) knot.b = last = std::clamp(foot(b, at(a, knot.a), last), last, end);
     if (knots.back().b < end - options.width) knots.back().b = end;
     knots.back().b = end;
-    for (const Knot& knot : knots)
+    for (const ShiftKnot& knot : knots)
         if (!sees(floor, at(a, knot.a), at(b, knot.b))) return std::nullopt;
     return shift;
 }
 
 void shift_over(const Lane& a, const Lane& b, const Shift& shift, Polyline& line) {
     for (std::size_t k = 0; k + 1 < shift.knots.size(); ++k) {
-        const Knot& from = shift.knots[k];
-        const Knot& to = shift.knots[k + 1];
+        const ShiftKnot& from = shift.knots[k];
+        const ShiftKnot& to = shift.knots[k + 1];
         std::vector<double> shares{0, 1};
         add_corners(a, from.a, to.a, shares);
         add_corners(b, from.b, to.b, shares);
@@ -224,15 +225,15 @@ Revolutions revolutions(const std::vector<const Ring*>& chain, std::size_t first
         arrival = found.shifts.back().knots.back().b;
     }
     if (!found.shifts.empty()) {
-        const auto bare = std::ranges::find_if(found.shifts.front().knots,
-                                               [](const Knot& knot) { return knot.share >= bare_wedge; });
+        const auto bare = std::ranges::find_if(
+            found.shifts.front().knots, [](const ShiftKnot& knot) { return knot.share >= bare_wedge; });
         found.begin = bare->a;
     }
     return found;
 }
 
-Line line_of(const Revolutions& r) {
-    Line line;
+TurnedLine line_of(const Revolutions& r) {
+    TurnedLine line;
     const auto part = [&](const Lane& lane, double from, double to) {
         return along(*lane.ring, lane.sense * from, lane.sense * (to - from));
     };
@@ -243,7 +244,7 @@ Line line_of(const Revolutions& r) {
         if (i + 1 == r.lanes.size()) {
             double end = here + round;
             if (i > 0)
-                for (const Knot& knot : r.shifts[i - 1].knots)
+                for (const ShiftKnot& knot : r.shifts[i - 1].knots)
                     if (knot.share >= 1 - bare_wedge) {
                         end = knot.b + round;
                         break;

@@ -14,12 +14,12 @@ Point at(const Lane& lane, double u);
 
 /// Where the line shifts from a lane to the next: places that face each other, and the share of the way
 /// across that is done there, from 0 to 1.
-struct Knot {
+struct ShiftKnot {
     double a = 0, b = 0;  // on this lane, on the next
     double share = 0;
 };
 struct Shift {
-    std::vector<Knot> knots;
+    std::vector<ShiftKnot> knots;
     bool whole = false;  // takes the whole turn: a spiral of Archimedes
 };
 
@@ -41,9 +41,9 @@ bool sees(const AreaIndex& floor, Point a, Point b);
 
 /// The line: each ring but for where it shifts to the next; and its last turn, which closes the last ring and
 /// goes on where the rest ends.
-struct Line {
+struct TurnedLine {
     Polyline rest, last;
 };
-Line line_of(const Revolutions& revolutions);
+TurnedLine line_of(const Revolutions& revolutions);
 
 }  // namespace strandline::fill

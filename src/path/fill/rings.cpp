@@ -104,8 +104,10 @@ class Nesting {
         for (Region& part : centre) {
             part.outer = thinned_outline(part.outer, thinning_);
             for (Polygon& hole : part.holes) hole = thinned_outline(hole, thinning_);
+            std::erase_if(part.holes, [](const Polygon& hole) { return hole.size() < 3; });
         }
         std::erase_if(centre, [&](const Region& part) {
+            if (part.outer.size() < 3) return true;
             double round = perimeter(part.outer);
             for (const Polygon& hole : part.holes) round += perimeter(hole);
             // The widest disc's radius is at least area / perimeter.
