@@ -7,7 +7,8 @@
 namespace strandline::fill {
 namespace {
 
-constexpr int cells_a_width = 4;
+constexpr int cells_a_width = 4, coarse_cells = 2;
+constexpr double largest_fine = 2e5;   // of width^2: larger areas get the coarse cells
 constexpr double owned_within = 0.75;  // of the width: past half of it lie the gaps between rings
 constexpr int least_contact = 3;       // cell edges: less is a touch of two corners
 constexpr float raked_price = 15, outer_price = 60;  // ways over a cell, as multiples of a free one
@@ -96,7 +97,8 @@ float straight_cost(const Lattice& l, Point a, Point b) {
 Lattice lattice_of(const Region& region, const std::vector<Ring>& rings, const Options& options) {
     const Box box = bounds(region);
     Lattice l;
-    l.cell = options.width / cells_a_width;
+    const double widths = box.width() * box.height() / (options.width * options.width);
+    l.cell = options.width / (widths > largest_fine ? coarse_cells : cells_a_width);
     l.origin = box.low - Point{l.cell, l.cell};
     l.columns = static_cast<int>(box.width() / l.cell) + 3;
     l.rows = static_cast<int>(box.height() / l.cell) + 3;

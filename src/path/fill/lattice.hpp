@@ -5,7 +5,7 @@
 
 namespace strandline::fill {
 
-/// Cells of a quarter of the rake's width over the area's box.
+/// Cells of a quarter of the rake's width over the area's box; of half a width where that is very large.
 struct Lattice {
     Point origin;
     double cell = 0;

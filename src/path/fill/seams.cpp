@@ -21,6 +21,7 @@ constexpr int samples = 24;    // places looked at along a ring
 constexpr int most_beside = 6;
 // What the joints cost, in widths of raked length.
 constexpr double step_cost = 0.35, lift_cost = 0.1, hop_cost = 2, way_cost = 0.05, bend_cost = 0.3;
+constexpr double slanted_bend_cost = 1;  // the same where a step leads along the next ring
 
 struct Place {
     double s = 0;
@@ -30,15 +31,17 @@ struct Place {
     bool flipped = false;
 };
 
-/// Turning of the ring within half a width about arc s, radians: a seam in a bend leaves a gap.
-double bend(const Ring& ring, double s, double w) {
-    const Point a = at(ring, s - w / 2), b = at(ring, s), c = at(ring, s + w / 2);
+/// Turning of the ring within `reach` about arc s, radians: a seam in a bend leaves a gap.
+double bend(const Ring& ring, double s, double reach) {
+    const Point a = at(ring, s - reach), b = at(ring, s), c = at(ring, s + reach);
     return std::abs(std::atan2(cross(b - a, c - b), dot(b - a, c - b)));
 }
 
 Place smooth_place(const Ring& ring, double s, const Options& options) {
     const Point p = at(ring, s);
-    return {s, false, p, p, bend(ring, s, options.width) * bend_cost};
+    if (options.turn_radius > 0)
+        return {s, false, p, p, bend(ring, s, (slant + 0.5) * options.spacing) * slanted_bend_cost};
+    return {s, false, p, p, bend(ring, s, options.width / 2) * bend_cost};
 }
 
 std::vector<Place> corners_of(const Ring& ring, const Options& options) {
