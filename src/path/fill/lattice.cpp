@@ -8,6 +8,7 @@ namespace strandline::fill {
 namespace {
 
 constexpr int cells_a_width = 4, coarse_cells = 2;
+constexpr double most_cells = 3e7;     // some 300 MB
 constexpr double largest_fine = 2e5;   // of width^2: larger areas get the coarse cells
 constexpr double owned_within = 0.75;  // of the width: past half of it lie the gaps between rings
 constexpr int least_contact = 3;       // cell edges: less is a touch of two corners
@@ -99,6 +100,7 @@ Lattice lattice_of(const Region& region, const std::vector<Ring>& rings, const O
     Lattice l;
     const double widths = box.width() * box.height() / (options.width * options.width);
     l.cell = options.width / (widths > largest_fine ? coarse_cells : cells_a_width);
+    if (widths * coarse_cells * coarse_cells > most_cells) return {};
     l.origin = box.low - Point{l.cell, l.cell};
     l.columns = static_cast<int>(box.width() / l.cell) + 3;
     l.rows = static_cast<int>(box.height() / l.cell) + 3;
@@ -150,14 +152,18 @@ std::vector<Contact> contacts(const Lattice& l) {
 }
 
 void rake(Lattice& l, const Polyline& line, const Options& options) {
+    if (l.inside.empty()) return;
     for (std::size_t i = 1; i < line.size(); ++i)
         near_segment(l, line[i - 1], line[i], options.width / 2,
                      [&](int cell, double) { l.raked[static_cast<std::size_t>(cell)] = 1; });
 }
 
-bool is_raked(const Lattice& l, Point p) { return l.raked[static_cast<std::size_t>(index(l, p))] != 0; }
+bool is_raked(const Lattice& l, Point p) {
+    return !l.raked.empty() && l.raked[static_cast<std::size_t>(index(l, p))] != 0;
+}
 
 Polyline way(const Lattice& l, Point from, Point to) {
+    if (l.inside.empty()) return {};
     const double straight = distance(from, to);
     if (straight_cost(l, from, to) <= 1.001 * straight / l.cell) return {};
     const int start = index(l, from), goal = index(l, to);

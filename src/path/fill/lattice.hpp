@@ -20,7 +20,8 @@ struct Contact {
     int first = 0, second = 0, edges = 0;
 };
 
-/// O(cells + ring length / cell).
+/// Empty where that would be more than thirty million cells: then nothing counts as raked, no rings touch,
+/// and all ways are straight. O(cells + ring length / cell).
 Lattice lattice_of(const Region& region, const std::vector<Ring>& rings, const Options& options);
 std::vector<Contact> contacts(const Lattice& lattice);
 /// Marks what the rake covers on its way along a line.

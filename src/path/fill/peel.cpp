@@ -5,6 +5,7 @@
 #include "path/fill/peel.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "path/fill/seams.hpp"
@@ -83,6 +84,24 @@ Tree fewest_leaves(const std::vector<Ring>& rings, const Neighbours& beside) {
     return best;
 }
 
+/// Without a lattice: each ring leads on to the nearest one a level further out. O(rings a level squared x
+/// points).
+Tree by_levels(const std::vector<Ring>& rings) {
+    Tree tree{std::vector<int>(rings.size(), -1), 0};
+    std::map<int, std::vector<int>> levels;
+    for (std::size_t r = 0; r < rings.size(); ++r) levels[rings[r].level].push_back(static_cast<int>(r));
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+        double least = std::numeric_limits<double>::infinity();
+        const auto outer = levels.find(rings[r].level - 1);
+        if (outer == levels.end()) continue;
+        for (int other : outer->second) {
+            const double d = nearest(rings[static_cast<std::size_t>(other)], rings[r].line.front()).distance;
+            if (d < least) least = d, tree.parent[r] = other;
+        }
+    }
+    return tree;
+}
+
 /// Chains of rings that lead on to each other, in driving order: always the nearest leaf next, and on from
 /// ring to parent as long as that is free.
 std::vector<std::vector<int>> chains_of(const std::vector<Ring>& rings, const Tree& tree) {
@@ -132,7 +151,9 @@ void keep_off_raked(std::vector<Polyline>& teeth, const Lattice& lattice, double
 }  // namespace
 
 Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice) {
-    const Tree tree = fewest_leaves(rings, neighbours_of(rings.size(), contacts(lattice)));
+    const Tree tree = lattice.inside.empty()
+                          ? by_levels(rings)
+                          : fewest_leaves(rings, neighbours_of(rings.size(), contacts(lattice)));
     Peel peel;
     for (const std::vector<int>& numbers : chains_of(rings, tree)) {
         Chain chain;
@@ -150,6 +171,11 @@ std::vector<Pass> ring_passes(const Region& region, const std::string& place, co
     if (levels.room.empty()) return {};
     const std::vector<Ring> rings = rings_of(region, levels, options);
     Lattice lattice = lattice_of(region, rings, options);
+    if (lattice.inside.empty())
+        account.warnings.push_back(
+            {place,
+             "is so large for so narrow a rake that ways between its rings are straight "
+             "and may cross raked sand; a smaller canvas or a wider rake avoids that"});
     std::vector<Pass> passes;
     for (const auto& [chain, onward] : peel_of(rings, lattice)) {
         std::optional<Point> here;
