@@ -316,8 +316,9 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
     const double w = options.width;
     Regions plain = simplified({region}, thinning * w);
     if (plain.empty()) plain = {region};
-    NarrowParts narrow{inset(plain, w / 2), {}, {}};
+    NarrowParts narrow{inset(plain, w / 2), {}, {}, {}};
     narrow.crossed.assign(narrow.bodies.size(), false);
+    narrow.raked = narrow.crossed;
     Regions bare = subtracted(plain, inset(narrow.bodies, -0.51 * w));
     std::erase_if(bare, [&](const Region& part) { return area(part) < least_bare * w * w; });
     if (bare.empty()) return narrow;
@@ -334,6 +335,12 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
                 });
             });
     for (const Trail& trail : trails) narrow.arms.push_back(arm_of(axis, trail, region, narrow, openings, w));
+    std::vector<Polyline> lines;
+    for (const Arm& arm : narrow.arms) lines.push_back(arm.line);
+    for (int k = 0; k < bodies; ++k)
+        narrow.raked[k] =
+            narrow.crossed[k] && area(subtracted(inset({narrow.bodies[k]}, -w / 2),
+                                                 swept(lines, false, w / 2, Cap::flat))) < least_bare * w * w;
     // What a trail that was cut at a junction rests on: the trail that goes through there.
     for (std::size_t k = 0; k < trails.size(); ++k)
         for (bool start : {true, false}) {
@@ -366,10 +373,15 @@ std::vector<Pass> with_arms(std::vector<Pass> passes, const NarrowParts& narrow,
         int body = 0;
         double least = std::numeric_limits<double>::infinity();
         for (int k = 0; k < bodies; ++k) {
-            const double d = away_from(narrow.bodies[k], pass.line.front());
+            const double d = away_from(narrow.bodies[k], pass.line.back());
             if (d < least) least = d, body = k;
         }
-        if (!narrow.crossed[body]) of_body[body].push_back(std::move(pass));
+        // A pass may come from an island and go on to a body.
+        const auto beside_body = [&](Point p) {
+            return away_from(narrow.bodies[body], p) < options.width / 2;
+        };
+        if (!narrow.raked[body] || !std::ranges::all_of(pass.line, beside_body))
+            of_body[body].push_back(std::move(pass));
     }
     std::vector<int> roots(all);
     for (int k = 0; k < all; ++k) roots[k] = k;
