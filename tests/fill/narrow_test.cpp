@@ -133,6 +133,19 @@ TEST(FillNarrow, CornersAndWideAreasHaveNoArms) {
     EXPECT_EQ(fill_region(triangle, 0, "area", with(Style::rings)).warnings.size(), 0u);
 }
 
+TEST(FillNarrow, ArmsOnlyAddToWhatIsRaked) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+        for (const Region& region : shapes::random_regions(seed)) {
+            Options options = with(Style::rings);
+            const double with_arms =
+                areas::judged(region, fill_region(region, 0, "area", options), 0.4).coverage;
+            options.narrow = Narrow::warn;
+            const double without =
+                areas::judged(region, fill_region(region, 0, "area", options), 0.4).coverage;
+            EXPECT_GT(with_arms, without - 0.01) << seed;
+        }
+}
+
 TEST(FillNarrow, ALongListIsCutShortAndCounted) {
     Polygon comb{{0, 0}};
     for (int k = 0; k < 9; ++k) {

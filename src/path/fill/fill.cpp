@@ -67,7 +67,7 @@ void say_narrow(NarrowParts& narrow, const std::string& place, const Options& op
 NarrowParts middle_part(const Region& region, const Options& options) {
     const Polyline middle = region.holes.empty() ? middle_line(region.outer, options.width) : Polyline{};
     if (middle.size() < 2) return {};
-    return {{}, {}, {{middle, Arm::free, Arm::free, 0, area(region) / length(middle)}}};
+    return {{}, {}, {}, {{middle, Arm::free, Arm::free, 0, area(region) / length(middle)}}};
 }
 
 /// What neither the passes nor the arms can reach: tips.

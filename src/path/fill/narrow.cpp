@@ -1,172 +1,23 @@
 // Arms: stretches of the medial axis with a disc smaller than the rake, cut at what is not a corridor.
-// Key: a branch is a chain of medial edges between two nodes that are no plain joints; a trail is a chain of
-// branches through junctions, in the straightest way.
 #include "path/fill/narrow.hpp"
 
 #include <algorithm>
 #include <map>
 #include <set>
 
+#include "path/fill/trails.hpp"
+
 namespace strandline::fill {
 namespace {
 
-constexpr double parallel = pi - pi / 12;  // the opening between sides 15 degrees apart
-constexpr double shortest_arm = 1.0 / 3;   // of the width, of parallel sides: less is a corner or a notch
-constexpr double least_bare = 0.1;         // of width^2: corners of over 80 degrees leave less
-constexpr double axis_step = 0.1;          // of the width: between samples of the outline
-constexpr double thinning = 0.02;          // of the width
-constexpr double overlap = 0.1;  // of the width: an arm that ends on another reaches that far into it
+constexpr double least_bare = 0.1;  // of width^2: corners of over 80 degrees leave less
+constexpr double axis_step = 0.1;   // of the width: between samples of the outline
+constexpr double thinning = 0.02;   // of the width
+constexpr double overlap = 0.1;     // of the width: an arm that ends on another reaches that far into it
 // Of the width: the radius of the disc that fits where two corridors as wide as the rake cross.
 constexpr double widest_disc = 0.72;
 constexpr double widest_island = 1.3;  // of the width: along a body that is only such a crossing
 constexpr double at_body = 0.75;       // of the width: so near to a body's room an arm ends on it
-
-/// A medial axis with the angle at which the feet of a disc stand on the outline, radians: pi between
-/// parallel sides, pi - a on the branch into a corner of a.
-struct Axis {
-    struct Edge {
-        int a = 0, b = 0;
-        double opening = 0;
-    };
-    std::vector<MedialAxis::Node> nodes;
-    std::vector<Edge> edges;
-};
-
-struct Branch {
-    std::vector<int> nodes;
-    std::vector<double> openings;  // of the edges between them
-};
-
-/// The graph with plain joints taken out; cycles without a junction begin anywhere.
-std::vector<Branch> branches_of(const Axis& axis, const std::vector<bool>& gone) {
-    std::vector<std::vector<std::pair<int, int>>> beside(axis.nodes.size());  // edge, node
-    for (int e = 0; e < static_cast<int>(axis.edges.size()); ++e)
-        if (!gone[e]) {
-            beside[axis.edges[e].a].emplace_back(e, axis.edges[e].b);
-            beside[axis.edges[e].b].emplace_back(e, axis.edges[e].a);
-        }
-    std::vector<bool> used(axis.edges.size(), false);
-    std::vector<Branch> branches;
-    const auto walk = [&](int node, std::pair<int, int> step) {
-        Branch branch{{node}, {}};
-        while (true) {
-            const auto [edge, next] = step;
-            used[edge] = true;
-            branch.nodes.push_back(next);
-            branch.openings.push_back(axis.edges[edge].opening);
-            if (beside[next].size() != 2) break;
-            step = beside[next][beside[next][0].first == edge ? 1 : 0];
-            if (used[step.first]) break;
-        }
-        branches.push_back(std::move(branch));
-    };
-    for (bool joints : {false, true})
-        for (int node = 0; node < static_cast<int>(beside.size()); ++node)
-            if ((beside[node].size() == 2) == joints)
-                for (const auto& step : beside[node])
-                    if (!used[step.first]) walk(node, step);
-    return branches;
-}
-
-double step_length(const Axis& axis, const Branch& branch, std::size_t i) {
-    return distance(axis.nodes[branch.nodes[i]].at, axis.nodes[branch.nodes[i + 1]].at);
-}
-
-double parallel_length(const Axis& axis, const Branch& branch) {
-    double sum = 0;
-    for (std::size_t i = 0; i < branch.openings.size(); ++i)
-        if (branch.openings[i] >= parallel) sum += step_length(axis, branch, i);
-    return sum;
-}
-
-/// Branches into corners go, one round after the other: what they leave may be a branch into a corner again.
-std::vector<Branch> corridors(const Axis& axis, double width) {
-    std::vector<bool> gone(axis.edges.size(), false);
-    std::map<std::pair<int, int>, int> number;
-    for (int e = 0; e < static_cast<int>(axis.edges.size()); ++e)
-        number[std::minmax({axis.edges[e].a, axis.edges[e].b})] = e;
-    while (true) {
-        std::vector<Branch> branches = branches_of(axis, gone);
-        std::vector<int> degree(axis.nodes.size(), 0);
-        for (const Branch& branch : branches) ++degree[branch.nodes.front()], ++degree[branch.nodes.back()];
-        bool changed = false;
-        for (const Branch& branch : branches) {
-            const bool leaf = degree[branch.nodes.front()] == 1 || degree[branch.nodes.back()] == 1;
-            if (!leaf || parallel_length(axis, branch) >= shortest_arm * width) continue;
-            for (std::size_t i = 0; i + 1 < branch.nodes.size(); ++i)
-                gone[number[std::minmax({branch.nodes[i], branch.nodes[i + 1]})]] = true;
-            changed = true;
-        }
-        if (!changed) return branches;
-    }
-}
-
-/// A chain of nodes with its ends: what each of them rests on in the graph.
-struct Trail {
-    std::vector<int> nodes;
-    bool cut_start = false, cut_end = false;  // ends at a junction that another trail goes through
-};
-
-/// At each junction the two branches that go on the straightest become one trail; the others end there.
-std::vector<Trail> trails_of(const Axis& axis, std::vector<Branch> branches, double width) {
-    const auto heading_from = [&](const Branch& branch, bool at_front) {
-        double gone = 0;
-        const std::size_t n = branch.nodes.size();
-        std::size_t i = 0;
-        while (i + 1 < n && gone < width / 2)
-            gone += step_length(axis, branch, at_front ? i : n - 2 - i), ++i;
-        const auto node = [&](std::size_t k) {
-            return axis.nodes[branch.nodes[at_front ? k : n - 1 - k]].at;
-        };
-        return normalized(node(i) - node(0));
-    };
-    using End = std::pair<std::size_t, bool>;  // branch, at its front
-    std::map<int, std::vector<End>> junctions;
-    for (std::size_t k = 0; k < branches.size(); ++k) {
-        junctions[branches[k].nodes.front()].emplace_back(k, true);
-        junctions[branches[k].nodes.back()].emplace_back(k, false);
-    }
-    std::map<End, End> goes_on;
-    std::set<End> cut;
-    for (const auto& [node, ends] : junctions) {
-        if (ends.size() < 2) continue;
-        double straightest = 2;
-        std::pair<End, End> best;
-        for (std::size_t i = 0; i < ends.size(); ++i)
-            for (std::size_t j = i + 1; j < ends.size(); ++j) {
-                const double along = dot(heading_from(branches[ends[i].first], ends[i].second),
-                                         heading_from(branches[ends[j].first], ends[j].second));
-                if (along < straightest) straightest = along, best = {ends[i], ends[j]};
-            }
-        goes_on[best.first] = best.second;
-        goes_on[best.second] = best.first;
-        for (const End& end : ends)
-            if (end != best.first && end != best.second) cut.insert(end);
-    }
-    std::vector<bool> used(branches.size(), false);
-    std::vector<Trail> trails;
-    const auto follow = [&](End end) {  // from `end`, away from its node
-        Trail trail{{}, cut.contains(end), false};
-        while (!used[end.first]) {
-            used[end.first] = true;
-            std::vector<int> nodes = branches[end.first].nodes;
-            if (!end.second) std::ranges::reverse(nodes);
-            trail.nodes.insert(trail.nodes.end(), nodes.begin() + (trail.nodes.empty() ? 0 : 1), nodes.end());
-            const End far{end.first, !end.second};
-            trail.cut_end = cut.contains(far);
-            const auto next = goes_on.find(far);
-            if (next == goes_on.end()) break;
-            end = next->second;
-        }
-        trails.push_back(std::move(trail));
-    };
-    for (std::size_t k = 0; k < branches.size(); ++k)
-        for (bool front : {true, false})
-            if (!used[k] && !goes_on.contains({k, front})) follow({k, front});
-    for (std::size_t k = 0; k < branches.size(); ++k)  // what is left are cycles
-        if (!used[k]) follow({k, true});
-    return trails;
-}
 
 /// The line from its end on to the outline, straight: an arm's pass runs to its end.
 Point reached_outline(const Region& region, Point from, Point direction, double farthest) {
@@ -277,10 +128,10 @@ Arm arm_of(const Axis& axis, const Trail& trail, const Region& region, const Nar
         trail.cut_end || closed ? Arm::free : body_near(narrow, axis.nodes[nodes.back()].at, at_body * width);
     // Where the sides part or run into a corner the arm is over.
     if (!closed && !trail.cut_end)
-        while (nodes.size() > 2 && opening(nodes.size() - 2) < parallel) nodes.pop_back();
+        while (nodes.size() > 2 && opening(nodes.size() - 2) < parallel_sides) nodes.pop_back();
     std::size_t first = 0;
     if (!closed && !trail.cut_start)
-        while (first + 2 < nodes.size() && opening(first) < parallel) ++first;
+        while (first + 2 < nodes.size() && opening(first) < parallel_sides) ++first;
     nodes.erase(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(first));
     arm.least = std::numeric_limits<double>::infinity();
     for (int node : nodes) {
@@ -316,15 +167,16 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
     const double w = options.width;
     Regions plain = simplified({region}, thinning * w);
     if (plain.empty()) plain = {region};
-    NarrowParts narrow{inset(plain, w / 2), {}, {}};
+    NarrowParts narrow{inset(plain, w / 2), {}, {}, {}};
     narrow.crossed.assign(narrow.bodies.size(), false);
+    narrow.raked = narrow.crossed;
     Regions bare = subtracted(plain, inset(narrow.bodies, -0.51 * w));
     std::erase_if(bare, [&](const Region& part) { return area(part) < least_bare * w * w; });
     if (bare.empty()) return narrow;
     const Axis axis = narrow_axis(plain, narrow, w);
     std::map<std::pair<int, int>, double> openings;
     for (const auto& edge : axis.edges) openings[std::minmax({edge.a, edge.b})] = edge.opening;
-    const std::vector<Trail> trails = trails_of(axis, corridors(axis, w), w);
+    const std::vector<Trail> trails = trails_of(axis, w);
     const int bodies = static_cast<int>(narrow.bodies.size());
     for (int k = 0; k < bodies; ++k)
         narrow.crossed[k] =
@@ -334,6 +186,12 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
                 });
             });
     for (const Trail& trail : trails) narrow.arms.push_back(arm_of(axis, trail, region, narrow, openings, w));
+    std::vector<Polyline> lines;
+    for (const Arm& arm : narrow.arms) lines.push_back(arm.line);
+    for (int k = 0; k < bodies; ++k)
+        narrow.raked[k] =
+            narrow.crossed[k] && area(subtracted(inset({narrow.bodies[k]}, -w / 2),
+                                                 swept(lines, false, w / 2, Cap::flat))) < least_bare * w * w;
     // What a trail that was cut at a junction rests on: the trail that goes through there.
     for (std::size_t k = 0; k < trails.size(); ++k)
         for (bool start : {true, false}) {
@@ -366,10 +224,15 @@ std::vector<Pass> with_arms(std::vector<Pass> passes, const NarrowParts& narrow,
         int body = 0;
         double least = std::numeric_limits<double>::infinity();
         for (int k = 0; k < bodies; ++k) {
-            const double d = away_from(narrow.bodies[k], pass.line.front());
+            const double d = away_from(narrow.bodies[k], pass.line.back());
             if (d < least) least = d, body = k;
         }
-        if (!narrow.crossed[body]) of_body[body].push_back(std::move(pass));
+        // A pass may come from an island and go on to a body.
+        const auto beside_body = [&](Point p) {
+            return away_from(narrow.bodies[body], p) < options.width / 2;
+        };
+        if (!narrow.raked[body] || !std::ranges::all_of(pass.line, beside_body))
+            of_body[body].push_back(std::move(pass));
     }
     std::vector<int> roots(all);
     for (int k = 0; k < all; ++k) roots[k] = k;

@@ -17,8 +17,8 @@ struct Arm {
 };
 struct NarrowParts {
     Regions bodies;             ///< where the rake's centre fits, coarse: tolerance width/50
-    std::vector<bool> crossed;  ///< bodies at bends and crossings of arms, hardly larger than a point: the
-                                ///< arms rake them
+    std::vector<bool> crossed;  ///< bodies at bends and crossings of arms, hardly larger than a point
+    std::vector<bool> raked;    ///< of those, the ones that the arms rake: their own passes go
     std::vector<Arm> arms;
 };
 /// Nothing when no stretch of the area with sides less than 15 degrees apart is narrower than the rake for a
