@@ -65,6 +65,7 @@ MedialAxis medial_axis(const Region& region, double step) {
     };
 
     const AreaIndex inside({region});
+    const Box near = grown(bounds(region), step);
     MedialAxis axis;
     std::unordered_map<const Diagram::vertex_type*, int> numbers;
     const auto number = [&](const Diagram::vertex_type* v, const Diagram::edge_type& edge) {
@@ -79,6 +80,8 @@ MedialAxis medial_axis(const Region& region, double step) {
         if (!edge.is_primary() || !edge.is_finite() || &edge > edge.twin()) continue;
         const Point from = metres(edge.vertex0()->x(), edge.vertex0()->y());
         const Point to = metres(edge.vertex1()->x(), edge.vertex1()->y());
+        // Outside the area edges may be as long as the grid is fine.
+        if (!contains(near, from) || !contains(near, to)) continue;
         std::vector<Point> between_ends;
         if (edge.is_curved()) {
             const bool mine = edge.cell()->contains_point();
