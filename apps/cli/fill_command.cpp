@@ -59,6 +59,16 @@ int fill(const FillArguments& arguments, const Common& common) {
         return complain({"--style " + arguments.style, "is not a style", "use rings, spiral or zigzag"},
                         bad_call);
 
+    if (arguments.join == "nearest")
+        options.join = fill::Join::nearest;
+    else if (arguments.join == "alternating")
+        options.join = fill::Join::alternating;
+    else if (arguments.join == "longest-edge")
+        options.join = fill::Join::longest_edge;
+    else if (arguments.join != "half-step")
+        return complain({"--join " + arguments.join, "is no kind of joint",
+                         "use half-step, nearest, alternating or longest-edge"},
+                        bad_call);
     if (arguments.narrow == "warn")
         options.narrow = fill::Narrow::warn;
     else if (arguments.narrow != "single-pass")

@@ -158,6 +158,9 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     in_out(fill, f.input, f.output, "polygon (docs/stage-formats.md), or -");
     fill->add_option("--width", f.width, "rake width; overrides the file's");
     fill->add_option("--style", f.style, "rings, spiral or zigzag")->capture_default_str();
+    fill->add_option("--join", f.join,
+                     "how a ring leads on to the next: half-step, nearest, alternating or longest-edge")
+        ->capture_default_str();
     fill->add_option("--inset", f.inset, "how rings follow from the outline: offset (Euclidean), or skeleton")
         ->capture_default_str();
     fill->add_option("--shift", f.shift, "spiral, rake widths: the stretch of a turn that shifts outwards")

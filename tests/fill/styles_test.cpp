@@ -53,6 +53,34 @@ TEST(FillStyles, AnAreaNarrowerThanTheRakeIsOnePassWithAWarning) {
     }
 }
 
+TEST(FillStyles, OneStrokeNeverLifts) {
+    for (Style style : {Style::rings, Style::spiral, Style::zigzag})
+        for (const Region& region : areas::all()) {
+            Options options = areas::with(style);
+            options.pivots = true;
+            options.one_stroke = true;
+            const Fill fill = fill_region(region, 0, "area", options);
+            EXPECT_EQ(fill.strokes.size(), 1u);
+            EXPECT_GT(areas::judged(region, fill, 0.4).coverage, 0.97);
+        }
+}
+
+TEST(FillStyles, EveryJoinFillsAndTheyDiffer) {
+    std::vector<double> swept;
+    for (Join join : {Join::half_step, Join::nearest, Join::alternating, Join::longest_edge}) {
+        Options options = areas::with(Style::rings);
+        options.join = join;
+        const Fill fill = fill_region(areas::letter_l(), 0, "area", options);
+        const auto account = areas::judged(areas::letter_l(), fill, 0.4);
+        EXPECT_GT(account.coverage, 0.96) << static_cast<int>(join);
+        EXPECT_LT(account.spill, 0.001) << static_cast<int>(join);
+        swept.push_back(fill.swept);
+    }
+    EXPECT_GT(swept[1], swept[0]);  // rings that close whole are raked twice where they are left
+    EXPECT_NE(swept[2], swept[0]);
+    EXPECT_NE(swept[3], swept[0]);
+}
+
 TEST(FillStyles, WhatIsTooSmallIsDroppedCountedAndSaid) {
     const Fill fill =
         fill_region(areas::of({shapes::square({0, 0}, 0.05)}), 0, "speck", {.width = 0.4, .spacing = 0.4});

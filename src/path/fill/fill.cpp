@@ -87,6 +87,16 @@ void say_bare(const Region& region, const NarrowParts& narrow, const std::string
                      area(bare), metres(point_inside(*largest)))});
 }
 
+/// The passes with the ways between them raked too.
+std::vector<Pass> in_one_stroke(std::vector<Pass> passes) {
+    if (passes.size() < 2) return passes;
+    Pass whole = std::move(passes.front());
+    for (std::size_t i = 1; i < passes.size(); ++i)
+        for (const Polyline* part : {&passes[i].way, &passes[i].line})
+            whole.line.insert(whole.line.end(), part->begin(), part->end());
+    return {std::move(whole)};
+}
+
 }  // namespace
 
 Regions room_for_centre(const Region& region, const std::string& place, const Options& options,
@@ -104,7 +114,9 @@ Regions room_for_centre(const Region& region, const std::string& place, const Op
     return room;
 }
 
-Fill fill_region(const Region& region, int element, const std::string& place, const Options& options) {
+Fill fill_region(const Region& region, int element, const std::string& place, const Options& asked) {
+    Options options = asked;
+    if (options.one_stroke) options.pivots = false;  // a cut corner is a lift
     Fill fill;
     fill.area = area(region);
     const auto passes_of = options.style == Style::zigzag   ? zigzag_passes
@@ -123,6 +135,7 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
             {place, fmt::format("is narrower than the rake ({:.2g} m) or smaller than {} m2: not filled",
                                 options.width, options.min_area)});
     }
+    if (options.one_stroke) passes = in_one_stroke(std::move(passes));
     for (Pass& pass : passes) {
         fill.swept += length(pass.line) * options.width;
         fill.strokes.push_back(stroke_of(pass.line, element, options));
