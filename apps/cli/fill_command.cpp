@@ -22,6 +22,18 @@ Outcome<double> positive(const std::string& text, const std::string& option) {
     return value;
 }
 
+/// The value of a name among a few; the error lists them all.
+template <class Value>
+Outcome<Value> chosen(const std::string& option, const std::string& name, const char* reason,
+                      const std::vector<std::pair<std::string, Value>>& choices) {
+    std::string listed = "use ";
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (choices[i].first == name) return choices[i].second;
+        listed += (i == 0 ? "" : i + 1 < choices.size() ? ", " : " or ") + choices[i].first;
+    }
+    return fail(option + " " + name, reason, listed);
+}
+
 /// Gaps beyond these are only counted, unless -v asks for all.
 constexpr std::size_t most_gaps_named = 3;
 
@@ -51,34 +63,28 @@ void print_account(const fill::Account& account, std::size_t strokes, const Fill
 
 int fill(const FillArguments& arguments, const Common& common) {
     fill::Options options;
-    if (arguments.style == "zigzag")
-        options.style = fill::Style::zigzag;
-    else if (arguments.style == "spiral")
-        options.style = fill::Style::spiral;
-    else if (arguments.style != "rings")
-        return complain({"--style " + arguments.style, "is not a style", "use rings, spiral or zigzag"},
-                        bad_call);
-
-    if (arguments.join == "nearest")
-        options.join = fill::Join::nearest;
-    else if (arguments.join == "alternating")
-        options.join = fill::Join::alternating;
-    else if (arguments.join == "longest-edge")
-        options.join = fill::Join::longest_edge;
-    else if (arguments.join != "half-step")
-        return complain({"--join " + arguments.join, "is no kind of joint",
-                         "use half-step, nearest, alternating or longest-edge"},
-                        bad_call);
-    if (arguments.narrow == "warn")
-        options.narrow = fill::Narrow::warn;
-    else if (arguments.narrow != "single-pass")
-        return complain({"--narrow " + arguments.narrow, "is not a choice", "use single-pass or warn"},
-                        bad_call);
-    if (arguments.inset == "skeleton")
-        options.insets = fill::Insets::skeleton;
-    else if (arguments.inset != "offset")
-        return complain({"--inset " + arguments.inset, "is no kind of inset", "use offset or skeleton"},
-                        bad_call);
+    const auto style = chosen<fill::Style>(
+        "--style", arguments.style, "is not a style",
+        {{"rings", fill::Style::rings}, {"spiral", fill::Style::spiral}, {"zigzag", fill::Style::zigzag}});
+    if (!style) return complain(style.error(), bad_call);
+    options.style = *style;
+    const auto join = chosen<fill::Join>("--join", arguments.join, "is no kind of joint",
+                                         {{"half-step", fill::Join::half_step},
+                                          {"nearest", fill::Join::nearest},
+                                          {"alternating", fill::Join::alternating},
+                                          {"longest-edge", fill::Join::longest_edge}});
+    if (!join) return complain(join.error(), bad_call);
+    options.join = *join;
+    const auto narrow =
+        chosen<fill::Narrow>("--narrow", arguments.narrow, "is not a choice",
+                             {{"single-pass", fill::Narrow::single_pass}, {"warn", fill::Narrow::warn}});
+    if (!narrow) return complain(narrow.error(), bad_call);
+    options.narrow = *narrow;
+    const auto inset =
+        chosen<fill::Insets>("--inset", arguments.inset, "is no kind of inset",
+                             {{"offset", fill::Insets::offset}, {"skeleton", fill::Insets::skeleton}});
+    if (!inset) return complain(inset.error(), bad_call);
+    options.insets = *inset;
     options.shift = arguments.shift;
 
     std::optional<double> width, spacing;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <queue>
 
+#include "path/fill/sand.hpp"
+
 namespace strandline::fill {
 namespace {
 
@@ -51,34 +53,6 @@ void near_segment(const Lattice& l, Point a, Point b, double reach, Visit visit)
     }
 }
 
-void mark_inside(Lattice& l, const Region& region) {
-    std::vector<std::vector<double>> crossings(static_cast<std::size_t>(l.rows));
-    const auto add = [&](const Polygon& ring) {
-        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-            Point a = ring[j], b = ring[i];
-            if (a.y > b.y) std::swap(a, b);
-            int r = std::max(0, static_cast<int>(std::ceil((a.y - l.origin.y) / l.cell - 0.5)));
-            for (; r < l.rows; ++r) {
-                const double y = l.origin.y + (r + 0.5) * l.cell;
-                if (y >= b.y) break;
-                crossings[static_cast<std::size_t>(r)].push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
-            }
-        }
-    };
-    add(region.outer);
-    for (const Polygon& hole : region.holes) add(hole);
-    for (int r = 0; r < l.rows; ++r) {
-        auto& xs = crossings[static_cast<std::size_t>(r)];
-        std::ranges::sort(xs);
-        for (std::size_t k = 0; k + 1 < xs.size(); k += 2) {
-            const int from = std::max(0, static_cast<int>(std::ceil((xs[k] - l.origin.x) / l.cell - 0.5)));
-            const int to =
-                std::min(l.columns, static_cast<int>(std::ceil((xs[k + 1] - l.origin.x) / l.cell - 0.5)));
-            for (int i = from; i < to; ++i) l.inside[static_cast<std::size_t>(r * l.columns + i)] = 1;
-        }
-    }
-}
-
 float price(const Lattice& l, int cell) {
     const auto c = static_cast<std::size_t>(cell);
     return !l.inside[c] ? outer_price : l.raked[c] ? raked_price : 1;
@@ -108,7 +82,10 @@ Lattice lattice_of(const Region& region, const std::vector<Ring>& rings, const O
     l.inside.assign(cells, 0);
     l.raked.assign(cells, 0);
     l.owner.assign(cells, -1);
-    mark_inside(l, region);
+    const Raster raster{l.origin, l.cell, l.columns, l.rows};
+    for (const Run& run : runs_inside(raster, {region}))
+        std::fill(l.inside.begin() + static_cast<std::ptrdiff_t>(raster.index(run.first, run.row)),
+                  l.inside.begin() + static_cast<std::ptrdiff_t>(raster.index(run.end, run.row)), 1);
     std::vector<float> nearest_yet(cells, std::numeric_limits<float>::infinity());
     for (std::size_t r = 0; r < rings.size(); ++r) {
         const auto own = [&](Point a, Point b) {

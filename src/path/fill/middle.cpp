@@ -1,5 +1,6 @@
 // Middle lines of thin areas, and rounded corners.
 #include <algorithm>
+#include <span>
 
 #include "path/fill/rings.hpp"
 
@@ -51,17 +52,8 @@ Polyline middle_line(const Polygon& outline, double widest) {
 }
 
 Polyline thinned(const Polyline& line, double tolerance) {
-    if (line.size() < 3) return line;
-    std::size_t farthest = 0;
-    double most = tolerance;
-    for (std::size_t i = 1; i + 1 < line.size(); ++i)
-        if (const double d = distance_to_segment(line[i], line.front(), line.back()); d > most)
-            most = d, farthest = i;
-    if (farthest == 0) return {line.front(), line.back()};
-    const auto split = line.begin() + static_cast<std::ptrdiff_t>(farthest);
-    Polyline kept = thinned({line.begin(), split + 1}, tolerance);
-    const Polyline rest = thinned({split, line.end()}, tolerance);
-    kept.insert(kept.end(), rest.begin() + 1, rest.end());
+    Polyline kept;
+    for (const std::size_t i : strandline::thinned(std::span(line), tolerance)) kept.push_back(line[i]);
     return kept;
 }
 

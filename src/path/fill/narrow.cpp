@@ -40,7 +40,7 @@ int body_near(const NarrowParts& narrow, Point p, double farthest) {
     int nearest = Arm::free;
     for (std::size_t k = 0; k < narrow.bodies.size(); ++k) {
         if (narrow.crossed[k]) continue;
-        const double d = contains(narrow.bodies[k], p) ? 0 : distance_to_outline(narrow.bodies[k].outer, p);
+        const double d = away_from(narrow.bodies[k], p);
         if (d < farthest) farthest = d, nearest = static_cast<int>(k);
     }
     return nearest;

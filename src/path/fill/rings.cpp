@@ -162,7 +162,8 @@ class Nesting {
         };
         std::vector<Ring> spines;
         for (const AxisPath& path : paths)
-            if (centre.empty()) spines.push_back(ring_of(spine_of(path), level, path.closed));
+            if (centre.empty())
+                spines.push_back(ring_of(thinned(path.line, spine_thinning * w_), level, path.closed));
         offer(std::move(spines));
         if (!combs) return best;
         offer(combed(plain[0], paths, level));
@@ -178,13 +179,6 @@ class Nesting {
             rings.back().teeth = std::move(comb.teeth);
         }
         return rings;
-    }
-
-    Polyline spine_of(const AxisPath& path) const {
-        Polyline line;
-        for (std::size_t i : strandline::thinned(path.line, spine_thinning * w_))
-            line.push_back(path.line[i]);
-        return line;
     }
 
     const Levels& levels_;
