@@ -2,7 +2,6 @@
 #include "path/fill/rings.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "path/fill/comb.hpp"
 #include "path/fill/corners.hpp"
@@ -33,10 +32,15 @@ constexpr int plain_levels = 1;       // with more, combs are tried only round a
 constexpr std::size_t most_holes = 3;
 constexpr int most_levels = 4000;
 
-/// Rings for one place, and how many levels of them lie within each other.
-struct Nest {
-    std::vector<Ring> rings;
-    int levels = 0;
+/// Sand that nothing outside of it rakes, and what serves it: rings along the outlines of `centre` with the
+/// places within and beside them, or a choice that replaces them all.
+struct Place {
+    Region sand;
+    Regions centre;
+    int level = 0;
+    std::vector<Ring> rings = {};
+    std::vector<std::size_t> parts = {};  // further places
+    int levels = 0;                       // of rings within each other
 };
 
 /// What a choice leaves bare (at its price) and rakes twice or outside: square metres.
@@ -60,41 +64,24 @@ double waste(const Region& place, const std::vector<Ring>& rings, const Options&
     return (bare_price * (1 - account.coverage) + twice) * area(place);
 }
 
-void append(std::vector<Ring>& rings, std::vector<Ring>&& more) {
-    rings.insert(rings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
+/// A tree of places as a list, parts behind what they are part of: insets may be thousands of levels deep.
 class Nesting {
   public:
     Nesting(const Levels& levels, const Options& options, double thinning)
         : levels_(levels), options_(options), w_(options.width), thinning_(thinning) {}
 
-    /// Rings along the outlines of `centre`, and what lies within them. `sand`: what they are to rake.
-    Nest ringed(const Regions& sand, const Regions& centre, int level) const {
-        Nest nest;
-        for (const Region& region : centre) {
-            nest.rings.push_back(ring_of(region.outer, level, true));
-            for (const Polygon& hole : region.holes) nest.rings.push_back(ring_of(hole, level, true));
+    /// All rings of `region`, whose outermost run along the outlines of `border`.
+    std::vector<Ring> rings(const Region& region, const Regions& border) {
+        places_.push_back({region, border});
+        for (std::size_t i = 0; i < places_.size(); ++i) part(i);
+        for (std::size_t i = places_.size(); i-- > 0;) {
+            Place& place = places_[i];
+            int deepest = 0;
+            for (const std::size_t part : place.parts) deepest = std::max(deepest, places_[part].levels);
+            place.levels = (place.centre.empty() ? 0 : 1) + deepest;
+            if (i > 0) choose(i);
         }
-        if (!centre.empty()) nest.levels = 1;
-        if (level >= most_levels) return nest;
-        int deepest = 0;
-        const auto take = [&](Nest&& inner) {
-            deepest = std::max(deepest, inner.levels);
-            append(nest.rings, std::move(inner.rings));
-        };
-        for (const Region& rest : sand_within(levels_, centre, level, options_))
-            if (area(rest) > (options_.masked ? least_masked_gap : least_gap) * w_ * w_)
-                take(filled(rest, level + 1));
-        // Beside the rings: necks narrower than the rake, and corners.
-        // At the outline itself nothing fits there: what is served there is narrower than the rake.
-        if (level > 0 && area(sand) - reached(centre) > neck_margin * w_ * w_) {
-            const Regions raked = inset(centre, -(0.5 + gap_margin) * w_, w_ / 100);
-            for (const Region& neck : subtracted(sand, raked))
-                if (area(neck) > least_neck * w_ * w_) take(filled(neck, level + 1));
-        }
-        nest.levels += deepest;
-        return nest;
+        return served(0);
     }
 
   private:
@@ -135,41 +122,78 @@ class Nesting {
         return sum + turns * w_ * w_ / 4;
     }
 
-    /// The best choice for sand that nothing outside of it rakes.
-    Nest filled(const Region& sand, int level) const {
-        const Regions centre = thinned_centre(sand, level);
-        Nest best;
-        if (!centre.empty()) best = ringed({sand}, centre, level);
-        if (best.levels > most_trial_levels) return best;
+    /// Rings along the outlines of a place's centre, and the places within and beside them.
+    void part(std::size_t i) {
+        const auto add = [&](Region&& sand) {
+            const int level = places_[i].level + 1;
+            Regions centre = thinned_centre(sand, level);
+            places_[i].parts.push_back(places_.size());
+            places_.push_back({std::move(sand), std::move(centre), level});
+        };
+        const Regions centre = places_[i].centre;  // places move when one is added
+        const int level = places_[i].level;
+        for (const Region& region : centre) {
+            places_[i].rings.push_back(ring_of(region.outer, level, true));
+            for (const Polygon& hole : region.holes) places_[i].rings.push_back(ring_of(hole, level, true));
+        }
+        if (centre.empty() || level >= most_levels) return;
+        for (Region& rest : sand_within(levels_, centre, level, options_))
+            if (area(rest) > (options_.masked ? least_masked_gap : least_gap) * w_ * w_) add(std::move(rest));
+        // Beside the rings: necks narrower than the rake, and corners.
+        // At the outline itself nothing fits there: what is served there is narrower than the rake.
+        if (level == 0 || area(places_[i].sand) - reached(centre) <= neck_margin * w_ * w_) return;
+        const Regions raked = inset(centre, -(0.5 + gap_margin) * w_, w_ / 100);
+        for (Region& neck : subtracted({places_[i].sand}, raked))
+            if (area(neck) > least_neck * w_ * w_) add(std::move(neck));
+    }
+
+    /// What serves a place, outermost first.
+    std::vector<Ring> served(std::size_t place) const {
+        std::vector<Ring> rings;
+        std::vector<std::size_t> open{place};
+        while (!open.empty()) {
+            const Place& next = places_[open.back()];
+            open.pop_back();
+            rings.insert(rings.end(), next.rings.begin(), next.rings.end());
+            open.insert(open.end(), next.parts.rbegin(), next.parts.rend());
+        }
+        return rings;
+    }
+
+    /// Takes a spine or combs for a place that rings serve worse.
+    void choose(std::size_t i) {
+        Place& place = places_[i];
+        if (place.levels > most_trial_levels) return;
         // Combs serve corridors; in a net of ridges between many holes they only cost time.
         const bool combs = options_.pivots && !options_.masked &&
-                           (best.levels <= plain_levels || sand.holes.size() <= most_holes);
-        if (!centre.empty() && !combs) return best;
-        double least = waste(sand, best.rings, options_);
-        if (least < 0.02 * area(sand)) return best;
-        const Regions plain = simplified({sand}, axis_thinning * w_);
-        if (plain.empty()) return best;
+                           (place.levels <= plain_levels || place.sand.holes.size() <= most_holes);
+        if (!place.centre.empty() && !combs) return;
+        double least = waste(place.sand, served(i), options_);
+        if (least < 0.02 * area(place.sand)) return;
+        const Regions plain = simplified({place.sand}, axis_thinning * w_);
+        if (plain.empty()) return;
         const std::vector<AxisPath> paths = axis_paths(plain[0], options_);
         const auto offer = [&](std::vector<Ring>&& rings) {
             if (rings.empty()) return;
-            double its = waste(sand, rings, options_);
+            double its = waste(place.sand, rings, options_);
             for (const Ring& ring : rings)
                 its += tooth_price * w_ * w_ * static_cast<double>(ring.teeth.size());
-            if (its < least) {
-                least = its;
-                best = {std::move(rings), 1};
-            }
+            if (its >= least) return;
+            least = its;
+            place.rings = std::move(rings);
+            place.parts.clear();
+            place.levels = 1;
         };
-        std::vector<Ring> spines;
-        for (const AxisPath& path : paths)
-            if (centre.empty())
-                spines.push_back(ring_of(thinned(path.line, spine_thinning * w_), level, path.closed));
-        offer(std::move(spines));
-        if (!combs) return best;
-        offer(combed(plain[0], paths, level));
+        if (place.centre.empty()) {
+            std::vector<Ring> spines;
+            for (const AxisPath& path : paths)
+                spines.push_back(ring_of(thinned(path.line, spine_thinning * w_), place.level, path.closed));
+            offer(std::move(spines));
+        }
+        if (!combs) return;
+        offer(combed(plain[0], paths, place.level));
         if (const auto legs = parted_at_bends(paths, plain[0], options_); legs.size() > paths.size())
-            offer(combed(plain[0], legs, level));
-        return best;
+            offer(combed(plain[0], legs, place.level));
     }
 
     std::vector<Ring> combed(const Region& sand, const std::vector<AxisPath>& paths, int level) const {
@@ -184,6 +208,7 @@ class Nesting {
     const Levels& levels_;
     const Options& options_;
     double w_, thinning_;
+    std::vector<Place> places_;
 };
 
 }  // namespace
@@ -266,7 +291,7 @@ std::vector<Ring> rings_of(const Region& region, const Levels& levels, const Opt
         }
     }
     const double thinning = options.width / (corners > many_corners ? coarse : fine);
-    return Nesting(levels, options, thinning).ringed({region}, border, 0).rings;
+    return Nesting(levels, options, thinning).rings(region, border);
 }
 
 }  // namespace strandline::fill
