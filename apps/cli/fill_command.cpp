@@ -37,7 +37,7 @@ Outcome<Value> chosen(const std::string& option, const std::string& name, const 
 /// Gaps beyond these are only counted, unless -v asks for all.
 constexpr std::size_t most_gaps_named = 3;
 
-void print_account(const fill::Account& account, std::size_t strokes, const FillArguments& arguments,
+void print_account(const rake::Account& account, std::size_t strokes, const FillArguments& arguments,
                    const Common& common) {
     if (common.json) {
         // The strokes may be on their way to stdout: figures go where they do not.
@@ -52,7 +52,7 @@ void print_account(const fill::Account& account, std::size_t strokes, const Fill
         account.hops, account.pivots, account.drives_over, account.driven_over);
     const std::size_t named =
         common.verbose ? account.gaps.size() : std::min(most_gaps_named, account.gaps.size());
-    for (const fill::Gap& gap : std::span(account.gaps).first(named))
+    for (const rake::Gap& gap : std::span(account.gaps).first(named))
         fmt::print(stderr, "bare: {:.3g} x {:.3g} near ({:.4g}, {:.4g})\n", gap.disc, gap.area / gap.disc,
                    gap.at.x, gap.at.y);
     if (named < account.gaps.size())
@@ -159,16 +159,19 @@ int fill(const FillArguments& arguments, const Common& common) {
     progress.report("filling", 1);
     if (strokes.empty())
         return complain({arguments.input, "nothing of it can be raked", "use a narrower rake"}, bad_input);
-    std::vector<fill::PinSpans> masks;
-    if (arguments.pins) masks = fill::pin_masks(task->regions, strokes, ways, options);
-    const std::vector<fill::Move> moves =
-        fill::moves_of(strokes, ways, masks, options.pins, options.tolerance);
+    std::vector<rake::PinSpans> masks;
+    if (arguments.pins)
+        masks =
+            rake::pin_masks(task->regions, strokes, ways,
+                            {.width = options.width, .pins = options.pins, .tolerance = options.tolerance});
+    const std::vector<rake::Move> moves =
+        rake::moves_of(strokes, ways, masks, options.pins, options.tolerance);
     const auto written =
         write_output(arguments.output, stages::write_moves(*task, *width, moves, arguments.pins));
     if (!written) return complain(written.error(), bad_input);
     if (common.json || !common.quiet) {
-        const fill::Account account =
-            fill::account_of(task->regions, moves, {.width = options.width, .pins = options.pins});
+        const rake::Account account =
+            rake::account_of(task->regions, moves, {.width = options.width, .pins = options.pins});
         print_account(account, strokes.size(), arguments, common);
     }
     return done;

@@ -1,21 +1,9 @@
 #pragma once
-// Areas to fill, and what a fill leaves: judged by booleans on the swept sand, apart from the code that
-// planned it.
+// What a fill leaves: judged by booleans on the swept sand, apart from the code that planned it.
 #include "path/fill/fill.hpp"
-#include "region/shapes.hpp"
+#include "region/areas.hpp"
 
 namespace strandline::areas {
-
-inline Region of(const std::vector<Polygon>& outlines) {
-    return resolved(outlines, FillRule::even_odd).at(0);
-}
-inline Region square() { return of({shapes::square({0, 0}, 6)}); }
-inline Region letter_l() { return of({{{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 6}, {0, 6}}}); }
-inline Region ring() { return of({shapes::square({0, 0}, 8), shapes::square({3, 3}, 2.5)}); }
-inline Region two_holes() {
-    return of({shapes::square({0, 0}, 10), shapes::square({1.5, 2}, 2), {{6, 5}, {8.5, 6}, {6, 8}}});
-}
-inline std::vector<Region> all() { return {square(), letter_l(), ring(), two_holes()}; }
 
 /// The rake of these tests: 0.4 m wide, passes side by side.
 inline fill::Options with(fill::Style style) { return {.style = style, .width = 0.4, .spacing = 0.4}; }

@@ -115,7 +115,7 @@ TEST(StageFill, StrokesComeBackInTheSameObjectWithTheMovesBetween) {
         stroke.rake_path = {straight({a, heading(b - a)}, distance(a, b))};
         return stroke;
     };
-    const auto moves = fill::moves_of({line({0, 0}, {1, 0}), line({1, 2}, {0, 2}), line({0, 2}, {0, 3})},
+    const auto moves = rake::moves_of({line({0, 0}, {1, 0}), line({1, 2}, {0, 2}), line({0, 2}, {0, 3})},
                                       {{}, {{2, 1}}}, {}, 7, 0.01);
     const std::string text = stages::write_moves(*task, 0.5, moves, {});
     const json out = json::parse(text);

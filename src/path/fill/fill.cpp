@@ -142,9 +142,9 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
         fill.ways.push_back(std::move(pass.way));
     }
     if (options.account)
-        fill.account =
-            account_of({region}, moves_of(fill.strokes, fill.ways, {}, options.pins, options.tolerance),
-                       {.width = options.width, .pins = options.pins});
+        fill.account = rake::account_of(
+            {region}, rake::moves_of(fill.strokes, fill.ways, {}, options.pins, options.tolerance),
+            {.width = options.width, .pins = options.pins});
     return fill;
 }
 

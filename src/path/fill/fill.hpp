@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
-#include "machine/robot/robot.hpp"
 #include "math/region/region.hpp"
+#include "path/rake/rake.hpp"
 #include "path/stroke/stroke.hpp"
 
 namespace strandline::fill {
@@ -59,53 +59,6 @@ struct Options {
     bool account = false;  ///< judge the fill too: as dear as the fill itself
 };
 
-/// The pins that are down over a part of a stroke: from and to are metres along its rake path, the highest of
-/// the `pins` bits is the leftmost pin looking forward.
-struct PinSpan {
-    double from = 0, to = 0;
-    unsigned mask = 0;
-    bool operator==(const PinSpan&) const = default;
-};
-using PinSpans = std::vector<PinSpan>;  ///< ascending; where there is none, all are up
-
-/// A piece of the drive of a fill: chords, and the pins that are down on it.
-struct Move {
-    Polyline line;
-    unsigned mask = 0;  ///< 0: rake up
-    bool operator==(const Move&) const = default;
-};
-/// Mask of a rake with all of 1 to 32 pins down.
-constexpr unsigned all_pins(int pins) { return pins >= 32 ? ~0U : (1U << pins) - 1; }
-
-/// Sand of the area that no stroke rakes.
-struct Gap {
-    Point at;         ///< centre of the widest disc in it
-    double area = 0;  ///< m^2
-    double disc = 0;  ///< diameter of the widest disc in it, metres
-    bool operator==(const Gap&) const = default;
-};
-
-/// What a fill leaves in the sand, from a simulation on a raster: a straight bar across the path with flat
-/// ends that pivots about the path's corners. Shares are of the area.
-struct Account {
-    double area = 0;            ///< m^2
-    double coverage = 0;        ///< share raked
-    double overdraw = 0;        ///< share raked again, more than a width of travel after it was last
-    double spill = 0;           ///< area raked outside / area
-    double spill_reach = 0;     ///< farthest raked sand from the area, metres
-    double ratio = 0;           ///< length x width of what is down / area
-    int hops = 0, pivots = 0;   ///< rake-up moves longer than a width, and shorter ones
-    double hops_length = 0;     ///< of both, metres
-    int drives_over = 0;        ///< times the path, rake up or down, enters sand raked more than 1.5 widths
-                                ///< of travel before and stays for more than 0.75
-    double driven_over = 0;     ///< metres of path over such sand, short stays too
-    double crisp_edge = 0;      ///< share of the outline within 0.1 width of the raked edge
-    double end_off_border = 0;  ///< from the outside of the rake at the end to the outline, metres
-    std::vector<Gap> gaps;      ///< largest first
-    double cell = 0;            ///< of the raster, metres: figures are good to a few of them along edges
-    bool operator==(const Account&) const = default;
-};
-
 /// The fill of one region and its account.
 struct Fill {
     std::vector<Stroke>
@@ -114,10 +67,10 @@ struct Fill {
                                  ///< its ends left out, {}: straight
     double area = 0;             ///< of the region, m^2
     double swept = 0;            ///< stroke length x width, m^2
-    std::optional<Account> account;  ///< where options ask for it
-    int dropped_parts = 0;           ///< smaller than min_area or narrower than the rake
-    int skeletons_replaced = 0;      ///< 1: Euclidean insets instead of the skeleton's
-    Warnings warnings;               ///< partition replaced, what is narrower than the rake, by place; ...
+    std::optional<rake::Account> account;  ///< where options ask for it
+    int dropped_parts = 0;                 ///< smaller than min_area or narrower than the rake
+    int skeletons_replaced = 0;            ///< 1: Euclidean insets instead of the skeleton's
+    Warnings warnings;  ///< partition replaced, what is narrower than the rake, by place; ...
 };
 
 /// "0,2 4,2; 1,0 1,5" -> cuts, metres where no unit is given. Error.place is `place`.
@@ -126,32 +79,5 @@ Outcome<std::vector<Polyline>> cuts_of(const std::string& text, const std::strin
 /// Never fails: a region nothing fits into gives no strokes and a warning. `element` is written into the
 /// strokes; `place` names the region in warnings. O(n log n + passes).
 Fill fill_region(const Region& region, int element, const std::string& place, const Options& options);
-
-/// The strokes as chords within `tolerance`, with the rake-up moves between them along `ways` (as Fill has
-/// them; may be shorter). `masks`: by stroke; empty: all pins are down. Parts with other pins follow each
-/// other without a move between; parts without any are rake-up moves, at the ends of a stroke too.
-std::vector<Move> moves_of(const std::vector<Stroke>& strokes, const std::vector<Polyline>& ways,
-                           const std::vector<PinSpans>& masks, int pins, double tolerance);
-
-/// For each stroke, in this order and along these ways, which of the `options.pins` pins are to be down:
-/// where sand under them is inside and not raked yet. Strokes may overlap and reach outside. A pin's width of
-/// stairs is left where an edge runs across the pins; neither raked twice nor bare for more. Of the options:
-/// width, pins, tolerance. About 20 ns a cell of w / (4 pins) that is driven over.
-std::vector<PinSpans> pin_masks(const Regions& regions, const std::vector<Stroke>& strokes,
-                                const std::vector<Polyline>& ways, const Options& options);
-
-struct AccountOptions {
-    double width = 0.42;          ///< rake width, metres
-    int pins = 7;                 ///< that a mask's bits stand for
-    double cell_share = 1 / 16.;  ///< of the width: the raster's cells; coarser is faster
-    bool details = true;          ///< gaps, the outline and the reach of spill too
-    int most_gaps = 20;           ///< listed
-    double least_gap = 0.1;       ///< width: gaps no wider are not listed
-};
-/// Judges a drive, first move to last. Areas of more than some eight million cells get larger ones. About
-/// 10 ns a cell of the area and its surroundings.
-Account account_of(const Regions& regions, const std::vector<Move>& moves, const AccountOptions& options);
-/// Of fills beside each other: shares by area, the rest summed; all their gaps; the farthest spill and end.
-Account joined(Account a, const Account& b);
 
 }  // namespace strandline::fill

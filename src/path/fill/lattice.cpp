@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "path/fill/sand.hpp"
+#include "math/raster/raster.hpp"
 
 namespace strandline::fill {
 namespace {

@@ -45,8 +45,8 @@ struct Place {
 
 /// What a choice leaves bare (at its price) and rakes twice or outside: square metres.
 double waste(const Region& place, const std::vector<Ring>& rings, const Options& options) {
-    const unsigned down = all_pins(1);
-    std::vector<Move> moves;
+    const unsigned down = rake::all_pins(1);
+    std::vector<rake::Move> moves;
     for (const Ring& ring : rings) {
         if (!ring.teeth.empty()) {
             for (const Polyline& tooth : ring.teeth) moves.push_back({tooth, down});
@@ -58,7 +58,7 @@ double waste(const Region& place, const std::vector<Ring>& rings, const Options&
             moves.push_back({std::move(pass), down});
     }
     if (moves.empty()) return bare_price * area(place);
-    const Account account = account_of(
+    const rake::Account account = rake::account_of(
         {place}, moves, {.width = options.width, .pins = 1, .cell_share = trial_cell, .details = false});
     const double twice = options.masked ? masked_price * account.ratio : account.overdraw + account.spill;
     return (bare_price * (1 - account.coverage) + twice) * area(place);

@@ -144,7 +144,7 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
             fill::Fill filled =
                 fill::fill_region(std::get<RegionElement>(element.what).region, index, element.id, filling);
             strokes.fill_swept += filled.swept;
-            for (const fill::Gap& gap : filled.account->gaps)
+            for (const rake::Gap& gap : filled.account->gaps)
                 strokes.bare.push_back({element.id, gap.at, gap.area});
             strokes.fills = joined(std::move(strokes.fills), *filled.account);
             strokes.fallbacks += static_cast<int>(filled.warnings.size());

@@ -9,7 +9,7 @@ namespace strandline::pipeline {
 /// The strokes of a drawing and what filling cost.
 struct Strokes {
     std::vector<order::Group> groups;
-    fill::Account fills;     ///< of all areas together
+    rake::Account fills;     ///< of all areas together
     double fill_swept = 0;   ///< m^2
     std::vector<Spot> bare;  ///< gaps, by element
     int fallbacks = 0;

@@ -136,12 +136,12 @@ Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) 
     return task;
 }
 
-std::string write_moves(const FillTask& task, double width, const std::vector<fill::Move>& moves,
+std::string write_moves(const FillTask& task, double width, const std::vector<rake::Move>& moves,
                         std::optional<int> pins) {
     Json json = Json::parse(task.source);
     json["width"] = width;
     Json list = Json::array();
-    for (const fill::Move& move : moves) {
+    for (const rake::Move& move : moves) {
         Json item{{"pts", written(move.line)}, {"down", move.mask != 0}};
         if (pins && move.mask != 0) {
             std::string mask;  // leftmost pin first
@@ -154,9 +154,9 @@ std::string write_moves(const FillTask& task, double width, const std::vector<fi
     return json.dump() + "\n";
 }
 
-std::string write_account(const fill::Account& account) {
+std::string write_account(const rake::Account& account) {
     Json gaps = Json::array();
-    for (const fill::Gap& gap : account.gaps)
+    for (const rake::Gap& gap : account.gaps)
         gaps.push_back({{"at", {gap.at.x, gap.at.y}}, {"area", gap.area}, {"disc", gap.disc}});
     const Json json{{"area", account.area},
                     {"coverage", account.coverage},

@@ -32,10 +32,10 @@ struct FillTask {
 Outcome<FillTask> read_polygon(std::string_view text, const std::string& place);
 /// The input with the moves as its strokes; rake-up moves have "down": false. With `pins`, what is down has a
 /// "mask" of that many characters.
-std::string write_moves(const FillTask& task, double width, const std::vector<fill::Move>& moves,
+std::string write_moves(const FillTask& task, double width, const std::vector<rake::Move>& moves,
                         std::optional<int> pins);
-/// One JSON object, its keys as the fields of fill::Account.
-std::string write_account(const fill::Account& account);
+/// One JSON object, its keys as the fields of rake::Account.
+std::string write_account(const rake::Account& account);
 
 // ---- connect: one JSON object a line in, the same object with R, sigma and samples out
 struct PairDefaults {

@@ -1,5 +1,5 @@
 #pragma once
-// Private to the room: the sand of an area as a raster, and which cells a bar passes over. Everything is
+// Areas as cells, and which cells a bar passes over. Everything is
 // counted in cells: a place p in metres is (p - low) / cell - 1/2, so that cell (i, j) has its centre at
 // (i, j); arc lengths are in cells too.
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 #include "math/region/region.hpp"
 
-namespace strandline::fill {
+namespace strandline {
 
 /// Where the cells are: row by row, `columns` a row.
 struct Raster {
@@ -119,4 +119,4 @@ void for_runs_in(const Raster& raster, const Wedge& wedge, What what) {
     }
 }
 
-}  // namespace strandline::fill
+}  // namespace strandline

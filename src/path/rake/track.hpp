@@ -1,9 +1,9 @@
 #pragma once
 // Private to the room: a stroke as chords that know their place along it, and a rake's lowered pins as bars.
-#include "path/fill/fill.hpp"
-#include "path/fill/sand.hpp"
+#include "math/raster/raster.hpp"
+#include "path/rake/rake.hpp"
 
-namespace strandline::fill {
+namespace strandline::rake {
 
 /// Chords of a rake path; `arcs`: each point's arc length on the path itself.
 struct Track {
@@ -25,4 +25,4 @@ bool turns(Point before, Point after);
 /// What a bar sweeps that turns there, on the outer side of the corner; `outer` <= `inner`: nothing.
 Wedge wedge_of(Point at, Point before, Point after, double left, double right);
 
-}  // namespace strandline::fill
+}  // namespace strandline::rake

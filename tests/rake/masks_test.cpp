@@ -1,25 +1,26 @@
 #include <gtest/gtest.h>
 
-#include "fill/areas.hpp"
+#include "path/rake/rake.hpp"
+#include "region/areas.hpp"
 
-namespace strandline::fill {
+namespace strandline::rake {
 namespace {
 
-const Options four_pins{.width = 1, .spacing = 0.75, .tolerance = 0.005, .pins = 4};
+const Rake four_pins{.width = 1, .pins = 4, .tolerance = 0.005};
 
 Stroke stroke_along(const Polyline& line) {
     Stroke stroke;
     stroke.rake_path = fitted(path_through(line, false), {.tolerance = 0.005});
     return stroke;
 }
-Account raked(const Regions& regions, const std::vector<Stroke>& strokes, const Options& options) {
-    const auto masks = pin_masks(regions, strokes, {}, options);
-    return account_of(regions, moves_of(strokes, {}, masks, options.pins, options.tolerance),
-                      {.width = options.width, .pins = options.pins});
+Account raked(const Regions& regions, const std::vector<Stroke>& strokes, const Rake& rake) {
+    const auto masks = pin_masks(regions, strokes, {}, rake);
+    return account_of(regions, moves_of(strokes, {}, masks, rake.pins, rake.tolerance),
+                      {.width = rake.width, .pins = rake.pins});
 }
 Regions box(double x, double y) { return {areas::of({{{0, 0}, {x, 0}, {x, y}, {0, y}}})}; }
 
-TEST(FillMasks, AStrokeOverFreshSandHasAllPinsDownFromEndToEnd) {
+TEST(RakeMasks, AStrokeOverFreshSandHasAllPinsDownFromEndToEnd) {
     const auto masks = pin_masks(box(8, 1), {stroke_along({{0, 0.5}, {8, 0.5}})}, {}, four_pins);
     ASSERT_EQ(masks.size(), 1u);
     ASSERT_EQ(masks[0].size(), 1u);
@@ -28,7 +29,7 @@ TEST(FillMasks, AStrokeOverFreshSandHasAllPinsDownFromEndToEnd) {
     EXPECT_NEAR(masks[0][0].to, 8, 1e-9);
 }
 
-TEST(FillMasks, PinsBesideTheAreaAreUpAndSoIsTheRakeBeyondItsEnd) {
+TEST(RakeMasks, PinsBesideTheAreaAreUpAndSoIsTheRakeBeyondItsEnd) {
     // The two left pins of four run over a bar of half a width; the path overshoots by a metre each way.
     const auto masks = pin_masks(box(8, 0.5), {stroke_along({{-1, 0}, {9, 0}})}, {}, four_pins);
     ASSERT_EQ(masks[0].size(), 1u);
@@ -37,7 +38,7 @@ TEST(FillMasks, PinsBesideTheAreaAreUpAndSoIsTheRakeBeyondItsEnd) {
     EXPECT_NEAR(masks[0][0].to, 9, 0.05);
 }
 
-TEST(FillMasks, SharedSandIsLeftToTheLastPass) {
+TEST(RakeMasks, SharedSandIsLeftToTheLastPass) {
     // Passes three pins apart: their shared pin's width is the second one's.
     const auto masks =
         pin_masks(box(8, 1.75), {stroke_along({{0, 0.5}, {8, 0.5}}), stroke_along({{0, 1.25}, {8, 1.25}})},
@@ -48,7 +49,7 @@ TEST(FillMasks, SharedSandIsLeftToTheLastPass) {
     EXPECT_EQ(masks[1][0].mask, 0b1111u);
 }
 
-TEST(FillMasks, TheSamePathTwiceIsRakedOnce) {
+TEST(RakeMasks, TheSamePathTwiceIsRakedOnce) {
     const Stroke stroke = stroke_along({{0, 0.5}, {8, 0.5}});
     const auto masks = pin_masks(box(8, 1), {stroke, stroke, stroke}, {}, four_pins);
     EXPECT_TRUE(masks[0].empty());
@@ -56,9 +57,9 @@ TEST(FillMasks, TheSamePathTwiceIsRakedOnce) {
     EXPECT_EQ(masks[2].size(), 1u);
 }
 
-TEST(FillMasks, OvershootingLinesAndABorderRakeEveryAreaOnceAndNothingElse) {
-    const Options options{.width = 0.42, .tolerance = 0.002, .pins = 7};
-    const double spacing = options.width * 6 / 7;
+TEST(RakeMasks, OvershootingLinesAndABorderRakeEveryAreaOnceAndNothingElse) {
+    const Rake rake{.width = 0.42, .pins = 7, .tolerance = 0.002};
+    const double spacing = rake.width * 6 / 7;
     for (const Region& region : areas::all())
         for (const double direction : {0.4, 1.1}) {
             std::vector<Stroke> strokes;
@@ -67,7 +68,7 @@ TEST(FillMasks, OvershootingLinesAndABorderRakeEveryAreaOnceAndNothingElse) {
                 const Point on = middle + k * spacing * left_normal(ahead);
                 strokes.push_back(stroke_along({on - 8 * ahead, on + 8 * ahead}));
             }
-            for (const Region& room : inset({region}, options.width / 2)) {
+            for (const Region& room : inset({region}, rake.width / 2)) {
                 std::vector<Polygon> rings = room.holes;
                 rings.push_back(room.outer);
                 for (Polygon& ring : rings) {
@@ -75,36 +76,15 @@ TEST(FillMasks, OvershootingLinesAndABorderRakeEveryAreaOnceAndNothingElse) {
                     strokes.push_back(stroke_along(ring));
                 }
             }
-            const Account account = raked({region}, strokes, options);
+            const Account account = raked({region}, strokes, rake);
             EXPECT_GT(account.coverage, 0.995);
             EXPECT_LT(account.overdraw, 0.02);
             EXPECT_LT(account.spill, 0.002);
-            EXPECT_LT(account.spill_reach, options.width * (1 / 7.0 + 1 / 16.0));
+            EXPECT_LT(account.spill_reach, rake.width * (1 / 7.0 + 1 / 16.0));
         }
 }
 
-TEST(FillMasks, SpansAreInOrderWithinTheirStrokes) {
-    Options options = areas::with(Style::zigzag);
-    options.spacing = options.width * 6 / 7;
-    for (const Region& region : areas::all()) {
-        const Fill fill = fill_region(region, 0, "area", options);
-        const auto masks = pin_masks({region}, fill.strokes, fill.ways, options);
-        ASSERT_EQ(masks.size(), fill.strokes.size());
-        for (std::size_t i = 0; i < masks.size(); ++i) {
-            double before = 0;
-            for (const PinSpan& span : masks[i]) {
-                EXPECT_GE(span.from, before - 1e-9);
-                EXPECT_LT(span.from, span.to);
-                EXPECT_NE(span.mask, 0u);
-                EXPECT_LE(span.mask, all_pins(7));
-                before = span.to;
-            }
-            EXPECT_LE(before, length(fill.strokes[i].rake_path) + 1e-9);
-        }
-    }
-}
-
-TEST(FillMoves, WhatIsLiftedIsAMoveAndWhatTouchesIsNot) {
+TEST(RakeMoves, WhatIsLiftedIsAMoveAndWhatTouchesIsNot) {
     const std::vector<Stroke> strokes{stroke_along({{0, 0}, {8, 0}})};
     const auto moves = moves_of(strokes, {}, {{{1, 2, 0b1100}, {2, 3, 0b1111}, {5, 6, 0b1000}}}, 4, 0.01);
     const std::vector<Move> expected{{{{1, 0}, {2, 0}}, 0b1100},
@@ -121,4 +101,4 @@ TEST(FillMoves, WhatIsLiftedIsAMoveAndWhatTouchesIsNot) {
 }
 
 }  // namespace
-}  // namespace strandline::fill
+}  // namespace strandline::rake

@@ -5,9 +5,9 @@
 #include <limits>
 #include <span>
 
-#include "path/fill/pin_steps.hpp"
+#include "path/rake/pin_steps.hpp"
 
-namespace strandline::fill {
+namespace strandline::rake {
 namespace {
 
 constexpr int samples_a_pin = 4;  // across; the cells are as large
@@ -33,11 +33,11 @@ using Values = std::array<float, 32>;
 
 class Masker {
   public:
-    Masker(const Regions& regions, const Raster& raster, const Options& options)
+    Masker(const Regions& regions, const Raster& raster, const Rake& rake)
         : raster_(raster),
-          pins_(options.pins),
-          pin_(options.width / options.pins / raster.cell),
-          lag_(static_cast<float>(pass_lag * options.width / raster.cell)),
+          pins_(rake.pins),
+          pin_(rake.width / rake.pins / raster.cell),
+          lag_(static_cast<float>(pass_lag * rake.width / raster.cell)),
           sand_(raster.size()) {
         for (const Run& run : runs_inside(raster, regions))
             for (int column = run.first; column < run.end; ++column)
@@ -218,18 +218,17 @@ PinSpans Masker::masks_of(const std::vector<PinStep>& steps, const std::vector<u
 }  // namespace
 
 std::vector<PinSpans> pin_masks(const Regions& regions, const std::vector<Stroke>& strokes,
-                                const std::vector<Polyline>& ways, const Options& options) {
+                                const std::vector<Polyline>& ways, const Rake& rake) {
     std::vector<Track> tracks;
     Box box = bounds(regions);
     for (const Stroke& stroke : strokes) {
-        tracks.push_back(track_of(stroke.rake_path, options.tolerance));
+        tracks.push_back(track_of(stroke.rake_path, rake.tolerance));
         box = united(box, bounds(tracks.back().line));
     }
     // Room for the whole rake and a cell beside it: samples need no look at the borders.
-    const Raster raster =
-        raster_over(grown(box, options.width), options.width / (samples_a_pin * options.pins));
+    const Raster raster = raster_over(grown(box, rake.width), rake.width / (samples_a_pin * rake.pins));
     const auto steps = pin_steps(tracks, ways, raster, step_cells);
-    Masker masker(regions, raster, options);
+    Masker masker(regions, raster, rake);
     std::vector<std::vector<unsigned>> visitors;
     for (const auto& of_stroke : steps) visitors.push_back(masker.foresee(of_stroke));
     masker.forget_visits();
@@ -238,4 +237,4 @@ std::vector<PinSpans> pin_masks(const Regions& regions, const std::vector<Stroke
     return masks;
 }
 
-}  // namespace strandline::fill
+}  // namespace strandline::rake

@@ -1,9 +1,9 @@
 #pragma once
 // Private to the room: strokes cut into short steps for which the state of the pins is decided.
-#include "path/fill/sand.hpp"
-#include "path/fill/track.hpp"
+#include "math/raster/raster.hpp"
+#include "path/rake/track.hpp"
 
-namespace strandline::fill {
+namespace strandline::rake {
 
 /// A short straight piece of a stroke, or the turn at one of its corners with a little before and after, so
 /// that a change of pins never falls on the corner itself. Places and lengths in cells.
@@ -64,4 +64,4 @@ void for_runs_in(const Raster& raster, const PinStep& step, const std::vector<Ba
     }
 }
 
-}  // namespace strandline::fill
+}  // namespace strandline::rake

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "path/fill/track.hpp"
+#include "path/rake/track.hpp"
 
-namespace strandline::fill {
+namespace strandline::rake {
 
 Track track_of(const std::vector<Curve>& curves, double tolerance) {
     constexpr double same_place = 1e-9;
@@ -106,4 +106,4 @@ std::vector<Move> moves_of(const std::vector<Stroke>& strokes, const std::vector
     return moves;
 }
 
-}  // namespace strandline::fill
+}  // namespace strandline::rake

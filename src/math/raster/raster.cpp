@@ -1,8 +1,8 @@
-#include "path/fill/sand.hpp"
+#include "math/raster/raster.hpp"
 
 #include <cmath>
 
-namespace strandline::fill {
+namespace strandline {
 namespace {
 
 constexpr double most_cells = 8e6;  // some 100 MB of account, a second of work
@@ -61,4 +61,4 @@ std::vector<Run> runs_inside(const Raster& raster, const Regions& regions) {
     return runs;
 }
 
-}  // namespace strandline::fill
+}  // namespace strandline

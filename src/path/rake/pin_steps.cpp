@@ -1,9 +1,9 @@
-#include "path/fill/pin_steps.hpp"
+#include "path/rake/pin_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace strandline::fill {
+namespace strandline::rake {
 namespace {
 
 constexpr double hard_turn = 0.17;   // radians: what turns less is a bend drawn by chords
@@ -71,4 +71,4 @@ std::vector<std::vector<PinStep>> pin_steps(const std::vector<Track>& tracks,
     return all;
 }
 
-}  // namespace strandline::fill
+}  // namespace strandline::rake

@@ -2,10 +2,10 @@
 // Private to the room: distances on the raster of a fill.
 #include <span>
 
-#include "path/fill/fill.hpp"
-#include "path/fill/sand.hpp"
+#include "math/raster/raster.hpp"
+#include "path/rake/rake.hpp"
 
-namespace strandline::fill {
+namespace strandline::rake {
 
 /// The connected pieces (cells that share a side or a corner) of the inside that no pass covers, with their
 /// widest discs; those no wider than `least` metres left out. Largest area first. O(bare cells + cells / 64).
@@ -15,4 +15,4 @@ std::vector<Gap> gaps_of(const Raster& raster, std::span<const Run> inside,
 double farthest_outside(const Raster& raster, std::span<const Run> inside,
                         std::span<const std::uint8_t> passes);
 
-}  // namespace strandline::fill
+}  // namespace strandline::rake

@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "fill/areas.hpp"
+#include "path/rake/rake.hpp"
+#include "region/areas.hpp"
 
-namespace strandline::fill {
+namespace strandline::rake {
 namespace {
 
 const Regions bar{areas::of({{{0, 0}, {8, 0}, {8, 1}, {0, 1}}})};
@@ -13,7 +14,7 @@ Account of(const Regions& regions, const std::vector<Move>& moves) {
     return account_of(regions, moves, one_wide);
 }
 
-TEST(FillAccount, OneStrokeAsWideAsTheBarRakesItAll) {
+TEST(RakeAccount, OneStrokeAsWideAsTheBarRakesItAll) {
     const Account account = of(bar, {{{{0, 0.5}, {8, 0.5}}, all}});
     EXPECT_NEAR(account.coverage, 1, 1e-9);
     EXPECT_EQ(account.overdraw, 0);
@@ -25,7 +26,7 @@ TEST(FillAccount, OneStrokeAsWideAsTheBarRakesItAll) {
     EXPECT_TRUE(account.gaps.empty());
 }
 
-TEST(FillAccount, WhatTwoStrokesShareIsRakedTwice) {
+TEST(RakeAccount, WhatTwoStrokesShareIsRakedTwice) {
     // 8 m forth and 6 m back over the same sand: 6 of 8 m2.
     const Account account = of(bar, {{{{0, 0.5}, {8, 0.5}}, all}, {{{7, 0.5}, {1, 0.5}}, all}});
     EXPECT_NEAR(account.overdraw, 0.75, 0.02);
@@ -33,12 +34,12 @@ TEST(FillAccount, WhatTwoStrokesShareIsRakedTwice) {
     EXPECT_NEAR(account.ratio, 14.0 / 8, 1e-9);
 }
 
-TEST(FillAccount, ARepeatWithinAWidthOfTravelIsNone) {
+TEST(RakeAccount, ARepeatWithinAWidthOfTravelIsNone) {
     const Account account = of(bar, {{{{0, 0.5}, {8, 0.5}}, all}, {{{8, 0.5}, {7.6, 0.5}}, all}});
     EXPECT_EQ(account.overdraw, 0);
 }
 
-TEST(FillAccount, AStrokeHalfOutsideSpillsHalfOfItself) {
+TEST(RakeAccount, AStrokeHalfOutsideSpillsHalfOfItself) {
     const Account account = of(bar, {{{{0, 1}, {8, 1}}, all}});
     EXPECT_NEAR(account.coverage, 0.5, 0.01);
     EXPECT_NEAR(account.spill, 0.5, 0.01);
@@ -48,7 +49,7 @@ TEST(FillAccount, AStrokeHalfOutsideSpillsHalfOfItself) {
     EXPECT_NEAR(account.gaps[0].disc, 0.5, 2 * account.cell);
 }
 
-TEST(FillAccount, TheCornersOfARingAreWedges) {
+TEST(RakeAccount, TheCornersOfARingAreWedges) {
     // A square ring of passes: at each outer corner the bar sweeps a quarter disc of the square beside it.
     const Regions ring{areas::of({shapes::square({0, 0}, 4), shapes::square({1, 1}, 2)})};
     const Account account =
@@ -58,7 +59,7 @@ TEST(FillAccount, TheCornersOfARingAreWedges) {
     EXPECT_EQ(account.gaps.size(), 4u);
 }
 
-TEST(FillAccount, LiftedMovesAreHopsAndPivots) {
+TEST(RakeAccount, LiftedMovesAreHopsAndPivots) {
     const Account account = of(bar, {{{{0, 0.5}, {2, 0.5}}, all},
                                      {{{2, 0.5}, {2.6, 0.5}}, 0},
                                      {{{2.6, 0.5}, {4, 0.5}}, all},
@@ -72,7 +73,7 @@ TEST(FillAccount, LiftedMovesAreHopsAndPivots) {
     EXPECT_NEAR(account.gaps[1].area, 0.6, 0.05);
 }
 
-TEST(FillAccount, AWayOverFinishedSandIsDrivenOver) {
+TEST(RakeAccount, AWayOverFinishedSandIsDrivenOver) {
     const Regions field{areas::of({shapes::square({0, 0}, 8)})};
     const Polyline first{{4, 0}, {4, 8}};
     const std::vector<Move> across{
@@ -84,7 +85,7 @@ TEST(FillAccount, AWayOverFinishedSandIsDrivenOver) {
     EXPECT_EQ(of(field, around).drives_over, 0);
 }
 
-TEST(FillAccount, AGapIsNamedByItsPlace) {
+TEST(RakeAccount, AGapIsNamedByItsPlace) {
     const Account account = of(bar, {{{{0, 0.5}, {5, 0.5}}, all}, {{{5.5, 0.5}, {8, 0.5}}, all}});
     ASSERT_EQ(account.gaps.size(), 1u);
     EXPECT_NEAR(account.gaps[0].at.x, 5.25, account.cell);
@@ -92,7 +93,7 @@ TEST(FillAccount, AGapIsNamedByItsPlace) {
     EXPECT_NEAR(account.gaps[0].disc, 0.5, 2 * account.cell);
 }
 
-TEST(FillAccount, LiftedPinsLeaveTheirSand) {
+TEST(RakeAccount, LiftedPinsLeaveTheirSand) {
     const Account account = of(bar, {{{{0, 0.5}, {8, 0.5}}, 0b0111}});  // the leftmost is up
     EXPECT_NEAR(account.coverage, 0.75, 0.01);
     EXPECT_NEAR(account.ratio, 0.75, 1e-9);
@@ -100,37 +101,7 @@ TEST(FillAccount, LiftedPinsLeaveTheirSand) {
     EXPECT_GT(account.gaps[0].at.y, 0.75);
 }
 
-TEST(FillAccount, TurnedAndMirroredFillsHaveTheSameAccount) {
-    const Options options = areas::with(Style::zigzag);
-    for (const Region& region : areas::all()) {
-        const Fill fill = fill_region(region, 0, "area", options);
-        const std::vector<Move> moves = moves_of(fill.strokes, fill.ways, {}, 7, 0.002);
-        const Account here = account_of({region}, moves, {.width = 0.4});
-        for (const Affine& map : {shapes::turned, shapes::mirrored}) {
-            std::vector<Move> there = moves;
-            for (Move& move : there)
-                for (Point& p : move.line) p = apply(map, p);
-            const Account other = account_of(shapes::moved({region}, map), there, {.width = 0.4});
-            EXPECT_NEAR(other.coverage, here.coverage, 0.003);
-            EXPECT_NEAR(other.overdraw, here.overdraw, 0.005);
-            EXPECT_EQ(other.hops, here.hops);
-        }
-    }
-}
-
-TEST(FillAccount, AgreesWithBooleansOnTheSweptSand) {
-    Options options = areas::with(Style::rings);
-    options.account = true;
-    for (const Region& region : areas::all()) {
-        const Fill fill = fill_region(region, 0, "area", options);
-        const auto judged = areas::judged(region, fill, 0.4);
-        ASSERT_TRUE(fill.account);
-        EXPECT_NEAR(fill.account->coverage, judged.coverage, 0.003);
-        EXPECT_NEAR(fill.account->spill, judged.spill, 0.001);
-    }
-}
-
-TEST(FillAccount, AccountsOfAreasAddUp) {
+TEST(RakeAccount, AccountsOfAreasAddUp) {
     const Account a = of(bar, {{{{0, 0.5}, {8, 0.5}}, all}}), b = of(bar, {{{{0, 0.5}, {4, 0.5}}, all}});
     const Account both = joined(a, b);
     EXPECT_NEAR(both.area, 16, 1e-9);
@@ -140,4 +111,4 @@ TEST(FillAccount, AccountsOfAreasAddUp) {
 }
 
 }  // namespace
-}  // namespace strandline::fill
+}  // namespace strandline::rake

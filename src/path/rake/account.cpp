@@ -5,11 +5,11 @@
 #include <functional>
 #include <limits>
 
-#include "path/fill/gaps.hpp"
-#include "path/fill/sand.hpp"
-#include "path/fill/track.hpp"
+#include "math/raster/raster.hpp"
+#include "path/rake/gaps.hpp"
+#include "path/rake/track.hpp"
 
-namespace strandline::fill {
+namespace strandline::rake {
 namespace {
 
 // In widths. A new pass is more than this much travel after the last one, so that the inside of a corner is
@@ -243,4 +243,4 @@ Account joined(Account a, const Account& b) {
     return a;
 }
 
-}  // namespace strandline::fill
+}  // namespace strandline::rake

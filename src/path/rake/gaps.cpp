@@ -1,5 +1,5 @@
 // Uncovered pieces, and how far sand is raked outside.
-#include "path/fill/gaps.hpp"
+#include "path/rake/gaps.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace strandline::fill {
+namespace strandline::rake {
 namespace {
 
 struct Offset {
@@ -164,4 +164,4 @@ double farthest_outside(const Raster& raster, std::span<const Run> inside,
     return farthest;
 }
 
-}  // namespace strandline::fill
+}  // namespace strandline::rake
