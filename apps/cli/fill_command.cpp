@@ -22,16 +22,13 @@ Outcome<double> positive(const std::string& text, const std::string& option) {
     return value;
 }
 
-/// The value of a name among a few; the error lists them all.
-template <class Value>
-Outcome<Value> chosen(const std::string& option, const std::string& name, const char* reason,
-                      const std::vector<std::pair<std::string, Value>>& choices) {
-    std::string listed = "use ";
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (choices[i].first == name) return choices[i].second;
-        listed += (i == 0 ? "" : i + 1 < choices.size() ? ", " : " or ") + choices[i].first;
-    }
-    return fail(option + " " + name, reason, listed);
+/// Sets a field to the choice of that name; the exit code if there is none.
+template <class Choice>
+std::optional<int> choose(Choice& field, const std::string& name, const char* option) {
+    const auto choice = fill::named<Choice>(name, option);
+    if (!choice) return complain(choice.error(), bad_call);
+    field = *choice;
+    return {};
 }
 
 /// Gaps beyond these are only counted, unless -v asks for all.
@@ -63,28 +60,11 @@ void print_account(const rake::Account& account, std::size_t strokes, const Fill
 
 int fill(const FillArguments& arguments, const Common& common) {
     fill::Options options;
-    const auto style = chosen<fill::Style>(
-        "--style", arguments.style, "is not a style",
-        {{"rings", fill::Style::rings}, {"spiral", fill::Style::spiral}, {"zigzag", fill::Style::zigzag}});
-    if (!style) return complain(style.error(), bad_call);
-    options.style = *style;
-    const auto join = chosen<fill::Join>("--join", arguments.join, "is no kind of joint",
-                                         {{"half-step", fill::Join::half_step},
-                                          {"nearest", fill::Join::nearest},
-                                          {"alternating", fill::Join::alternating},
-                                          {"longest-edge", fill::Join::longest_edge}});
-    if (!join) return complain(join.error(), bad_call);
-    options.join = *join;
-    const auto narrow =
-        chosen<fill::Narrow>("--narrow", arguments.narrow, "is not a choice",
-                             {{"single-pass", fill::Narrow::single_pass}, {"warn", fill::Narrow::warn}});
-    if (!narrow) return complain(narrow.error(), bad_call);
-    options.narrow = *narrow;
-    const auto inset =
-        chosen<fill::Insets>("--inset", arguments.inset, "is no kind of inset",
-                             {{"offset", fill::Insets::offset}, {"skeleton", fill::Insets::skeleton}});
-    if (!inset) return complain(inset.error(), bad_call);
-    options.insets = *inset;
+    if (const auto wrong = choose(options.style, arguments.style, "--style")) return *wrong;
+    if (const auto wrong = choose(options.join, arguments.join, "--join")) return *wrong;
+    if (const auto wrong = choose(options.narrow, arguments.narrow, "--narrow")) return *wrong;
+    if (const auto wrong = choose(options.insets, arguments.inset, "--inset")) return *wrong;
+    if (const auto wrong = choose(options.partition, arguments.partition, "--partition")) return *wrong;
     options.shift = arguments.shift;
 
     std::optional<double> width, spacing;
@@ -103,10 +83,6 @@ int fill(const FillArguments& arguments, const Common& common) {
         if (!value) return complain(value.error(), bad_call);
         options.direction = *value;
     }
-    options.partition = arguments.partition == "none"             ? fill::Partition::none
-                        : arguments.partition == "monotone"       ? fill::Partition::monotone
-                        : arguments.partition == "optimal-convex" ? fill::Partition::optimal_convex
-                                                                  : fill::Partition::fitted;
     auto cuts = fill::cuts_of(arguments.cuts, "--cuts");
     if (!cuts) return complain(cuts.error(), bad_call);
     options.cuts = std::move(*cuts);

@@ -49,6 +49,23 @@ TEST(Pipeline, APlanOfRealShapesIsSound) {
     }
 }
 
+TEST(Pipeline, PinsLiftOverRakedSandUnlessToldNotTo) {
+    const auto twice = [](const Plan& plan) { return check::prove(plan).overdraw; };
+    const auto down = [](const Plan& plan) {
+        return std::ranges::all_of(plan.samples, [&](const Sample& s) {
+            return s.motion != Motion::draw || !plan.strokes[static_cast<std::size_t>(s.stroke)].fill ||
+                   s.mask == pin_mask(plan.robot, plan.robot.pins);
+        });
+    };
+    Options together;
+    ASSERT_TRUE(set(together, "fill.lift_pins", "off"));
+    const auto lifted = planned("beachbot"), solid = planned("beachbot", together);
+    ASSERT_TRUE(lifted && solid);
+    EXPECT_FALSE(down(*lifted));
+    EXPECT_TRUE(down(*solid));
+    EXPECT_LT(twice(*lifted), twice(*solid) / 2);
+}
+
 TEST(Pipeline, EveryMutationOfARealPlanIsNamed) {
     const auto plan = planned("beachbot");
     ASSERT_TRUE(plan);

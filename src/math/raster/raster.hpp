@@ -3,8 +3,10 @@
 // counted in cells: a place p in metres is (p - low) / cell - 1/2, so that cell (i, j) has its centre at
 // (i, j); arc lengths are in cells too.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "math/region/region.hpp"
@@ -69,6 +71,30 @@ void for_runs_in(const Raster& raster, const Swath& swath, What what) {
         if (!(from <= to)) continue;
         const int first = ceiled(from, raster.columns);
         int last = ceiled(to, raster.columns);  // the cell after the last one, or the last one itself
+        if (last < raster.columns && static_cast<double>(last) <= to) ++last;
+        if (first < last) what(Run{row, first, last});
+    }
+}
+
+/// Corners in order; convex.
+using Quad = std::array<Point, 4>;
+/// Calls what(run) with the cells whose centres lie in it, its edges included. In cells. O(rows).
+template <class What>
+void for_runs_in(const Raster& raster, const Quad& quad, What what) {
+    const auto [low, high] = std::ranges::minmax(quad, {}, &Point::y);
+    const int end = ceiled(high.y + 1, raster.rows);
+    for (int row = ceiled(low.y - 1e-9, raster.rows); row < end; ++row) {
+        double from = std::numeric_limits<double>::infinity(), to = -from;
+        for (std::size_t i = 0; i < quad.size(); ++i) {
+            const Point a = quad[i], b = quad[(i + 1) % quad.size()];
+            if (std::max(a.y, b.y) < row || std::min(a.y, b.y) > row) continue;
+            const double x = a.y == b.y ? a.x : a.x + (row - a.y) / (b.y - a.y) * (b.x - a.x);
+            from = std::min({from, x, a.y == b.y ? b.x : x});
+            to = std::max({to, x, a.y == b.y ? b.x : x});
+        }
+        if (!(from <= to)) continue;
+        const int first = ceiled(from, raster.columns);
+        int last = ceiled(to, raster.columns);
         if (last < raster.columns && static_cast<double>(last) <= to) ++last;
         if (first < last) what(Run{row, first, last});
     }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "path/fill/narrow.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr std::size_t most_named = 5;  // parts that are narrower than the rake; the rest are counted
 constexpr double bare_share = 0.03;    // of the area: less is corners that no rake can reach
 constexpr double rough = 0.02;         // of half the width: arcs where only areas are asked for
+constexpr double least_run_out = 0.05, most_run_out = 0.8;  // of the width
 // Joints of a pass that turn less (radians) are a bend drawn by chords, where that bulges by less than the
 // tolerance.
 constexpr double smooth_turn = 0.5;
@@ -97,6 +99,37 @@ std::vector<Pass> in_one_stroke(std::vector<Pass> passes) {
     return {std::move(whole)};
 }
 
+/// From `at` along the unit vector `ahead` to the outline, metres; infinity if it is never met.
+double way_out(const Region& region, Point at, Point ahead) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto meet = [&](const Polygon& ring) {
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+            const Point edge = ring[i] - ring[j];
+            const double across = cross(ahead, edge);
+            if (across == 0) continue;
+            const double share = cross(ring[j] - at, ahead) / across;
+            const double t = cross(ring[j] - at, edge) / across;
+            if (t > 0 && share >= 0 && share <= 1) least = std::min(least, t);
+        }
+    };
+    meet(region.outer);
+    for (const Polygon& hole : region.holes) meet(hole);
+    return least;
+}
+
+/// Where pins lift, a pass that ends near an edge ahead of it goes on to it: the corner is filled, and what
+/// is raked already stays as it is.
+void drive_out(Polyline& line, const Region& region, const Options& options) {
+    for (int end = 0; end < 2; ++end) {
+        std::ranges::reverse(line);
+        if (line.size() < 2 || distance(line[line.size() - 2], line.back()) == 0) continue;
+        const Point ahead = normalized(line.back() - line[line.size() - 2]);
+        const double out = way_out(region, line.back(), ahead);
+        if (out > least_run_out * options.width && out < most_run_out * options.width)
+            line.push_back(line.back() + out * ahead);
+    }
+}
+
 }  // namespace
 
 Regions room_for_centre(const Region& region, const std::string& place, const Options& options,
@@ -136,15 +169,21 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
                                 options.width, options.min_area)});
     }
     if (options.one_stroke) passes = in_one_stroke(std::move(passes));
+    if (options.masked && !options.pivots)  // else corners are cut
+        for (Pass& pass : passes) drive_out(pass.line, region, options);
     for (Pass& pass : passes) {
         fill.swept += length(pass.line) * options.width;
         fill.strokes.push_back(stroke_of(pass.line, element, options));
         fill.ways.push_back(std::move(pass.way));
     }
-    if (options.account)
+    if (options.account) {
+        const rake::Rake rake{options.width, options.pins, options.tolerance};
+        std::vector<rake::PinSpans> masks;
+        if (options.masked) masks = rake::pin_masks({region}, fill.strokes, fill.ways, rake);
         fill.account = rake::account_of(
-            {region}, rake::moves_of(fill.strokes, fill.ways, {}, options.pins, options.tolerance),
-            {.width = options.width, .pins = options.pins});
+            {region}, rake::moves_of(fill.strokes, fill.ways, masks, rake.pins, rake.tolerance),
+            {.width = rake.width, .pins = rake.pins});
+    }
     return fill;
 }
 

@@ -73,6 +73,11 @@ struct Fill {
     Warnings warnings;  ///< partition replaced, what is narrower than the rake, by place; ...
 };
 
+/// The choice of that name, as people write it ("half-step"). Error: at `place`, lists the names.
+/// Choice: Style, Partition, Insets, Join or Narrow.
+template <class Choice>
+Outcome<Choice> named(const std::string& name, const std::string& place);
+
 /// "0,2 4,2; 1,0 1,5" -> cuts, metres where no unit is given. Error.place is `place`.
 Outcome<std::vector<Polyline>> cuts_of(const std::string& text, const std::string& place);
 

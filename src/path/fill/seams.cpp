@@ -178,10 +178,10 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
             seams.push_back(seam);
             continue;
         }
-        const double left = options.join == Join::nearest ? 0
-                            : leaves_stepping             ? before_closure
-                            : seam.stepped                ? last_before_closure
-                                                          : 0;
+        const double left = options.join == Join::nearest     ? 0
+                            : leaves_stepping                 ? before_closure
+                            : seam.stepped && !options.masked ? last_before_closure
+                                                              : 0;
         if (i > 0) {  // go on in the sense in which the last ring was left
             const Ring& before = *chain[i - 1];
             const Seam& came_from = seams.back();

@@ -64,4 +64,36 @@ void for_runs_in(const Raster& raster, const PinStep& step, const std::vector<Ba
     }
 }
 
+inline Middle middle_of(const PinStep& step) {
+    return {step.at + step.length / 2 * step.ahead, left_normal(step.ahead)};
+}
+
+/// Calls what(number across from the left, place, area) with `count` points across, `thin` cells apart, that
+/// tile what the bar passes over, which reaches `left` cells to its left.
+template <class What>
+void for_samples_in(const PinStep& step, double left, double thin, int count, What what) {
+    const auto across = [&](Point middle, Point ahead) {
+        const Point aside = thin * left_normal(ahead);
+        Point p = middle + (left / thin - 0.5) * aside;
+        for (int i = 0; i < count; ++i, p = p - aside) what(i, p, step.length * thin);
+    };
+    if (!step.corner) {
+        across(step.at + step.length / 2 * step.ahead, step.ahead);
+        return;
+    }
+    across(step.at - step.length / 2 * step.before, step.before);
+    across(step.at + step.length / 2 * step.ahead, step.ahead);
+    const double turn = std::atan2(cross(step.before, step.ahead), dot(step.before, step.ahead));
+    const double rays = std::max(1.0, std::ceil(std::abs(turn) * left));
+    for (double ray = 0.5; ray < rays; ++ray) {
+        const double angle = turn * ray / rays;
+        const Point side = std::cos(angle) * left_normal(step.before) - std::sin(angle) * step.before;
+        for (int i = 0; i < count; ++i) {
+            const double offset = left - (i + 0.5) * thin;  // to the left
+            if (offset * turn < 0)                          // a left turn sweeps the right
+                what(i, step.at + offset * side, std::abs(offset) * std::abs(turn) / rays * thin);
+        }
+    }
+}
+
 }  // namespace strandline::rake

@@ -1,6 +1,7 @@
 #pragma once
 // What a rake of liftable pins does along strokes: the moves of the drive, which pins are to be down where,
 // and the account of what that leaves in the sand. Metres.
+#include <optional>
 #include <vector>
 
 #include "math/region/region.hpp"
@@ -65,6 +66,7 @@ struct Rake {
     double width = 0.42;  ///< metres
     int pins = 7;
     double tolerance = 0.002;  ///< metres, of the chords that stand for a stroke
+    double spill_price = 4;    ///< of sand raked outside, against sand left bare
 };
 /// For each stroke, in this order and along these ways, which of the `rake.pins` pins are to be down:
 /// where sand under them is inside and not raked yet. Strokes may overlap and reach outside. A pin's width of
@@ -72,6 +74,23 @@ struct Rake {
 /// cell of w / (4 pins) that is driven over.
 std::vector<PinSpans> pin_masks(const Regions& regions, const std::vector<Stroke>& strokes,
                                 const std::vector<Polyline>& ways, const Rake& rake);
+
+/// The area with what is too thin for a pin made a pin wide, so that slivers are seen: parts that no disc as
+/// wide as a pin reaches, if larger than two pins squared (corners' tips are smaller). O(corners log
+/// corners).
+Regions visible(const Region& region, double pin);
+
+/// One go with the rake down, as driven: the bar's middle, and the heading that the bar stands square to (it
+/// need not be that of its way).
+struct Driven {
+    std::vector<Pose> bar;
+    double before = 0;  ///< metres driven before it
+};
+using DrivenMasks = std::vector<unsigned>;  ///< from each pose to the next: one less than poses
+/// The same from the bar's true track: for each go which pins are to be down. Of the rake: width, pins.
+/// Nothing where the raster of so large an area would be too coarse to see single pins.
+std::optional<std::vector<DrivenMasks>> driven_masks(const Regions& regions, const std::vector<Driven>& goes,
+                                                     const Rake& rake);
 
 struct AccountOptions {
     double width = 0.42;          ///< rake width, metres

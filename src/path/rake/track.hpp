@@ -19,6 +19,10 @@ Polyline part_of(const Track& track, double from, double to);
 struct Bar {
     double left = 0, right = 0;
 };
+/// A bar half way through a step of a drive.
+struct Middle {
+    Point at, left;  ///< and which way its left end is
+};
 std::vector<Bar> bars_of(unsigned mask, int pins, double width);
 /// Whether a path that looks along one unit vector and then another has a corner there.
 bool turns(Point before, Point after);

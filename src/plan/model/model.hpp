@@ -58,9 +58,10 @@ struct Options {
             true;  // a font that is absent is replaced, with a warning; else its text is left out
         bool operator==(const Text&) const = default;
     } text;
-    struct FillArea {                  // "fill.*"
-        std::string style = "rings";   // rings | spiral | zigzag
-        std::string inset = "offset";  // offset | skeleton
+    struct FillArea {                    // "fill.*"
+        std::string style = "rings";     // rings | spiral | zigzag
+        std::string inset = "offset";    // offset | skeleton
+        std::string join = "half-step";  // half-step | nearest | alternating | longest-edge
         double shift = 3, spacing = 0, direction = 0;
         bool best_direction = true;
         std::string partition = "fitted";  // none | monotone | optimal-convex | fitted
@@ -69,6 +70,7 @@ struct Options {
         double part_inset = 0, min_area = 0.01;
         bool border = true;
         std::string narrow = "single-pass";
+        bool lift_pins = true;
         bool operator==(const FillArea&) const = default;
     } fill;
     struct TourSearch {  // "tour.*"

@@ -260,6 +260,18 @@ std::vector<Setting> make_table() {
          {"offset", "skeleton"},
          "",
          [](Options& o) -> Field { return &o.fill.inset; }},
+        {"fill.join",
+         "how a ring leads on to the next: half-step stops half a width before it closes and steps over; "
+         "nearest "
+         "closes and goes on from there; alternating turns the sense at each ring; longest-edge begins each "
+         "in "
+         "the middle of its longest edge",
+         Kind::choice,
+         0,
+         0,
+         {"half-step", "nearest", "alternating", "longest-edge"},
+         "",
+         [](Options& o) -> Field { return &o.fill.join; }},
         {"fill.shift",
          "rake widths along which each turn of a spiral shifts outwards; many: all round",
          Kind::number,
@@ -269,7 +281,8 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.fill.shift; }},
         {"fill.spacing",
-         "between neighbouring passes; 0: a twentieth less than the rake is wide",
+         "between neighbouring passes; 0: a pin less than the rake where pins lift one by one, else a "
+         "twentieth less than it is wide",
          Kind::length,
          0,
          far,
@@ -342,6 +355,16 @@ std::vector<Setting> make_table() {
          {"single-pass", "warn"},
          "",
          [](Options& o) -> Field { return &o.fill.narrow; }},
+        {"fill.lift_pins",
+         "pins lift one by one over sand that is raked already and outside the area; off: all pins of a rake "
+         "are "
+         "down together",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.fill.lift_pins; }},
         {"fill.border",
          "a pass along the outline, driven last",
          Kind::flag,

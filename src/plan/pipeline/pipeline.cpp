@@ -8,6 +8,7 @@
 #include "path/trajectory/trajectory.hpp"
 #include "plan/pipeline/edits.hpp"
 #include "plan/pipeline/hints.hpp"
+#include "plan/pipeline/pins.hpp"
 #include "plan/pipeline/strokes.hpp"
 
 namespace strandline {
@@ -234,6 +235,7 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
 
     plan.samples =
         trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});
+    const Warnings unlifted = pipeline::lift_pins(plan.samples, ordered->strokes, *drawing, robot, options);
     plan.drawing = std::move(*drawing);
     plan.figures.fill_area = strokes.fills.area;
     plan.figures.fill_swept = strokes.fill_swept;
@@ -243,13 +245,14 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     plan.figures.fill_hops = strokes.fills.hops;
     plan.figures.fill_drives_over = strokes.fills.drives_over;
     plan.bare = std::move(strokes.bare);
-    plan.figures.fallbacks = strokes.fallbacks;
+    plan.figures.fallbacks = strokes.fallbacks + static_cast<int>(unlifted.size());
     take_account(plan, *ordered);
     add(plan.warnings, document.warnings);
     add(plan.warnings, plan.drawing.warnings);
     add(plan.warnings, dropped(plan.drawing, options));
     add(plan.warnings, strokes.warnings);
     add(plan.warnings, ordered->warnings);
+    add(plan.warnings, unlifted);
     plan.strokes = std::move(ordered->strokes);
     plan.order = std::move(ordered->entries);
     plan.stops = pipeline::stops_of(plan);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "plan/pipeline/hints.hpp"
+#include "plan/pipeline/pins.hpp"
 
 namespace strandline::pipeline {
 namespace {
@@ -21,6 +22,8 @@ constexpr double most_nodes = 64;
 // Share of the rake's width between passes: a twentieth overlaps, for a bar that stands a little skew in
 // bends.
 constexpr double default_spacing = 0.95;
+// With fewer pins that lift, a pin less would be much less than the rake.
+constexpr int many_pins = 5;
 
 Point point_along(const std::vector<Curve>& curves, double s) {
     for (const Curve& curve : curves) {
@@ -83,28 +86,30 @@ std::vector<Node> nodes_of(const LineElement& line, const std::vector<Curve>& cu
 fill::Options fill_options(const Options& options, const Robot& robot) {
     const Options::FillArea& f = options.fill;
     fill::Options o;
-    o.style = f.style == "zigzag"   ? fill::Style::zigzag
-              : f.style == "spiral" ? fill::Style::spiral
-                                    : fill::Style::rings;
-    o.insets = f.inset == "skeleton" ? fill::Insets::skeleton : fill::Insets::offset;
+    // The table of settings has let through what has a name.
+    o.style = *fill::named<fill::Style>(f.style, "fill.style");
+    o.insets = *fill::named<fill::Insets>(f.inset, "fill.inset");
+    o.join = *fill::named<fill::Join>(f.join, "fill.join");
     o.shift = f.shift;
     o.width = robot.rake_width();
-    o.spacing = f.spacing > 0 ? std::min(f.spacing, o.width) : default_spacing * o.width;
+    o.pins = robot.pins;
+    o.masked = lifts_pins(options, robot);
+    const double fitting =
+        o.masked && robot.pins >= many_pins ? o.width - robot.pin_pitch : default_spacing * o.width;
+    o.spacing = f.spacing > 0 ? std::min(f.spacing, o.width) : fitting;
     if (!f.best_direction) o.direction = f.direction;
-    o.partition = f.partition == "none"             ? fill::Partition::none
-                  : f.partition == "monotone"       ? fill::Partition::monotone
-                  : f.partition == "optimal-convex" ? fill::Partition::optimal_convex
-                                                    : fill::Partition::fitted;
+    o.partition = *fill::named<fill::Partition>(f.partition, "fill.partition");
     o.one_stroke = f.one_stroke;
     o.part_inset = f.part_inset;
     o.min_area = f.min_area;
     o.border = f.border;
-    o.narrow = f.narrow == "warn" ? fill::Narrow::warn : fill::Narrow::single_pass;
+    o.narrow = *fill::named<fill::Narrow>(f.narrow, "fill.narrow");
     o.tolerance = options.drawing.tolerance;
     o.account = true;
     // The rake can follow radii above its offset, but the nearer to it the more the bar stands skew: at 1.5 L
     // by 42 degrees, and the groove is a quarter narrower.
-    o.turn_radius = robot.min_radius > 0 ? 1.5 * robot.rake_offset : 0;
+    o.turn_radius = robot.min_radius > 0 && !robot.can_pivot ? 1.5 * robot.rake_offset : 0;
+    o.pivots = robot.can_pivot && robot.pins > 1;  // a pen has no flat end to cut corners with
     o.round_corners = false;  // drive knows at each corner whether the rake can follow a bend
     return o;
 }

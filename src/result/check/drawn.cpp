@@ -272,16 +272,37 @@ class Judge {
         const SegmentTree outline(edges);
         for (const auto& [k, stroke] : drawn.places) {
             const Sample& s = plan_.samples[static_cast<std::size_t>(k)];
-            if (area.contains(s.rake)) continue;
-            const double off = outline.distance(s.rake);
-            report_.worst_offset = std::max(report_.worst_offset, off);
-            if (off > options_.tolerance)
-                faults_.add(
-                    off, {Law::drawn_right,
-                          fmt::format("a fill stroke's middle is {:.4f} m outside {}, allowed {:.4f} m", off,
-                                      name_of_element(plan_, element), options_.tolerance),
-                          s.rake, k, stroke, element});
+            for (const Point& middle : middles_of(s)) {
+                if (area.contains(middle)) continue;
+                const double off = outline.distance(middle);
+                report_.worst_offset = std::max(report_.worst_offset, off);
+                if (off > options_.tolerance)
+                    faults_.add(
+                        off,
+                        {Law::drawn_right,
+                         fmt::format("the middle of lowered pins is {:.4f} m outside {}, allowed {:.4f} m",
+                                     off, name_of_element(plan_, element), options_.tolerance),
+                         middle, k, stroke, element});
+            }
         }
+    }
+
+    /// Of each row of neighbouring pins that are down.
+    std::vector<Point> middles_of(const Sample& sample) const {
+        const Robot& robot = plan_.robot;
+        std::vector<Point> middles;
+        const auto down = [&](int pin) {  // from the left
+            return pin < robot.pins && (sample.mask >> (robot.pins - 1 - pin) & 1U) != 0;
+        };
+        for (int pin = 0; pin < robot.pins; ++pin) {
+            if (!down(pin)) continue;
+            int end = pin;
+            while (down(end)) ++end;
+            const double left = (robot.pins - pin - end) * robot.pin_pitch / 2;
+            middles.push_back(sample.rake + left * left_normal(unit(sample.pose.heading)));
+            pin = end;
+        }
+        return middles;
     }
 
     const Plan& plan_;
