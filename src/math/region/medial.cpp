@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "math/region/exact.hpp"
 #include "math/region/grid.hpp"
 
 namespace strandline {
@@ -46,7 +47,9 @@ MedialAxis medial_axis(const Region& region, double step) {
     add(region.outer);
     for (const Polygon& hole : region.holes) add(hole);
     Diagram diagram;
-    boost::polygon::construct_voronoi(segments.begin(), segments.end(), &diagram);
+    boost::polygon::voronoi_builder<int, exact::Arithmetic> builder;
+    boost::polygon::insert(segments.begin(), segments.end(), &builder);
+    builder.construct(&diagram);
 
     const auto metres = [&](double x, double y) {
         return Point{on_grid.origin.x + x / on_grid.scale, on_grid.origin.y + y / on_grid.scale};
