@@ -66,15 +66,15 @@ void say_narrow(NarrowParts& narrow, const std::string& place, const Options& op
 /// how it is.
 NarrowParts middle_part(const Region& region, const Options& options) {
     const Polyline middle = region.holes.empty() ? middle_line(region.outer, options.width) : Polyline{};
-    if (middle.size() < 2) return {};
-    return {{}, {}, {}, {{middle, Arm::free, Arm::free, 0, area(region) / length(middle)}}};
+    if (middle.size() < 2) return {{}, {}, {}, {}, {region}};
+    return {{}, {}, {}, {{middle, Arm::free, Arm::free, 0, area(region) / length(middle)}}, {region}};
 }
 
 /// What neither the passes nor the arms can reach: tips.
 void say_bare(const Region& region, const NarrowParts& narrow, const std::string& place,
               const Options& options, Fill& account) {
     const double half = options.width / 2;
-    Regions bare = subtracted({region}, inset(narrow.bodies, -half * 1.01));
+    Regions bare = narrow.bare;
     std::vector<Polyline> lines;
     for (const Arm& arm : narrow.arms)
         if (!arm.line.empty()) lines.push_back(arm.line);

@@ -13,6 +13,8 @@ namespace {
 constexpr double least_bare = 0.1;  // of width^2: corners of over 80 degrees leave less
 constexpr double axis_step = 0.1;   // of the width: between samples of the outline
 constexpr double thinning = 0.02;   // of the width
+constexpr double arcs = 0.01;       // of the width: chord errors where only areas are asked for
+constexpr double reach = 0.51;      // of the width, from a body: the margin holds the chords' errors
 constexpr double overlap = 0.1;     // of the width: an arm that ends on another reaches that far into it
 // Of the width: the radius of the disc that fits where two corridors as wide as the rake cross.
 constexpr double widest_disc = 0.72;
@@ -167,10 +169,11 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
     const double w = options.width;
     Regions plain = simplified({region}, thinning * w);
     if (plain.empty()) plain = {region};
-    NarrowParts narrow{inset(plain, w / 2), {}, {}, {}};
+    NarrowParts narrow{inset(plain, w / 2, arcs * w), {}, {}, {}, {}};
     narrow.crossed.assign(narrow.bodies.size(), false);
     narrow.raked = narrow.crossed;
-    Regions bare = subtracted(plain, inset(narrow.bodies, -0.51 * w));
+    narrow.bare = subtracted(plain, inset(narrow.bodies, -reach * w, arcs * w));
+    Regions bare = narrow.bare;
     std::erase_if(bare, [&](const Region& part) { return area(part) < least_bare * w * w; });
     if (bare.empty()) return narrow;
     const Axis axis = narrow_axis(plain, narrow, w);
