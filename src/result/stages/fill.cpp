@@ -113,7 +113,9 @@ Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) 
             return fail(place + ", width", "is not a number above 0");
         task.width = width.get<double>();
     }
-    task.source = text;
+    json.erase("width");
+    json.erase("strokes");
+    task.source = json.dump();
     const Json& polygon = json["polygon"];
     const auto outer = ring_from(polygon["outer"], place + ", outer", task.warnings);
     if (!outer) return tl::unexpected(outer.error());
@@ -156,11 +158,10 @@ Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) 
 
 std::string write_moves(const FillTask& task, double width, const std::vector<rake::Move>& moves,
                         std::optional<int> pins) {
-    Json json = Json::parse(task.source);
-    json["width"] = width;
-    json.erase("strokes");
-    std::string text = json.dump();
+    std::string text = task.source;
     text.pop_back();  // the object is not over
+    text += ",\"width\":";
+    append(text, width);
     text += ",\"strokes\":[";
     for (const rake::Move& move : moves) {
         text += text.back() == '[' ? "{\"pts\":" : ",{\"pts\":";
