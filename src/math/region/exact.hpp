@@ -3,7 +3,7 @@
 //
 // The outlines of insets are full of arcs: chords that touch one circle, whose centre many of them share.
 // There the diagram's quick predicates fail and the exact ones decide, in products of twenty words and more;
-// Boost's own integers multiply in words of 32 bits and copy 264 bytes each time, which was four fifths of a
+// Boost's own integers multiply in words of 32 bits and copy 264 bytes each time, which was most of a
 // diagram's time. These hold the same numbers and give the same doubles, bit for bit.
 #include <array>
 #include <boost/polygon/detail/voronoi_ctypes.hpp>
