@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 
 namespace strandline::cli {
 namespace {
@@ -31,7 +32,9 @@ Outcome<std::string> read_input(const std::string& path) {
     if (std::filesystem::is_directory(path, code)) return fail(path, "is a folder", "name a file");
     std::ifstream file(path, std::ios::binary);
     if (!file) return fail(path, std::string("cannot be read: ") + std::strerror(errno), "check the name");
-    std::string bytes(std::istreambuf_iterator<char>(file), {});
+    std::ostringstream text;
+    text << file.rdbuf();
+    std::string bytes = std::move(text).str();
     if (file.bad()) return fail(path, "reading stopped half-way");
     return bytes;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "math/region/exact.hpp"
 #include "math/region/grid.hpp"
 
 namespace strandline {
@@ -31,22 +32,32 @@ std::vector<Point> bent(Point focus, Point a, Point b, Point from, Point to, dou
     return points;
 }
 
+bool any_overlaps(const std::vector<Box>& boxes, Box box, double margin) {
+    return std::ranges::any_of(boxes, [&](const Box& one) { return overlaps(grown(one, margin), box); });
+}
+
 }  // namespace
 
 MedialAxis medial_axis(const Region& region, double step) {
+    return medial_axis(region, step, {grown(bounds(region), step)}, 0);
+}
+
+MedialAxis medial_axis(const Region& region, double step, const std::vector<Box>& near, double reach) {
     const grid::Grid on_grid = grid::fitted_to(bounds(region));
     std::vector<GridSegment> segments;
     const auto add = [&](const Polygon& ring) {
         const ClipperLib::Path path = grid::on(on_grid, ring);
         for (std::size_t i = 0, j = path.size() - 1; i < path.size(); j = i++)
-            if (path[j] != path[i])
+            if (path[j] != path[i] && any_overlaps(near, including(including({}, ring[j]), ring[i]), reach))
                 segments.emplace_back(GridPoint(static_cast<int>(path[j].X), static_cast<int>(path[j].Y)),
                                       GridPoint(static_cast<int>(path[i].X), static_cast<int>(path[i].Y)));
     };
     add(region.outer);
     for (const Polygon& hole : region.holes) add(hole);
     Diagram diagram;
-    boost::polygon::construct_voronoi(segments.begin(), segments.end(), &diagram);
+    boost::polygon::voronoi_builder<int, exact::Arithmetic> builder;
+    boost::polygon::insert(segments.begin(), segments.end(), &builder);
+    builder.construct(&diagram);
 
     const auto metres = [&](double x, double y) {
         return Point{on_grid.origin.x + x / on_grid.scale, on_grid.origin.y + y / on_grid.scale};
@@ -65,7 +76,7 @@ MedialAxis medial_axis(const Region& region, double step) {
     };
 
     const AreaIndex inside({region});
-    const Box near = grown(bounds(region), step);
+    const Box whole = grown(bounds(region), step);
     MedialAxis axis;
     std::unordered_map<const Diagram::vertex_type*, int> numbers;
     const auto number = [&](const Diagram::vertex_type* v, const Diagram::edge_type& edge) {
@@ -81,7 +92,9 @@ MedialAxis medial_axis(const Region& region, double step) {
         const Point from = metres(edge.vertex0()->x(), edge.vertex0()->y());
         const Point to = metres(edge.vertex1()->x(), edge.vertex1()->y());
         // Outside the area edges may be as long as the grid is fine.
-        if (!contains(near, from) || !contains(near, to)) continue;
+        if (!contains(whole, from) || !contains(whole, to)) continue;
+        if (!any_overlaps(near, including({}, from), 0) && !any_overlaps(near, including({}, to), 0))
+            continue;
         std::vector<Point> between_ends;
         if (edge.is_curved()) {
             const bool mine = edge.cell()->contains_point();

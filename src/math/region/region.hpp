@@ -96,6 +96,9 @@ struct MedialAxis {
 };
 /// From the Voronoi diagram of the edges. Curved pieces become chords of at most `step` metres. O(n log n).
 MedialAxis medial_axis(const Region& region, double step);
+/// Of that, what comes into one of the boxes: right where discs reach at most `reach` beyond their box. From
+/// the edges that are so near.
+MedialAxis medial_axis(const Region& region, double step, const std::vector<Box>& near, double reach);
 
 /// Where closed outlines touch or cross themselves (a == b), or each other: crossings, corners that lie on
 /// another edge, edges on edges, and corners at which an outline turns back on itself. One place for contacts

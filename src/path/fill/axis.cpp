@@ -219,8 +219,10 @@ std::optional<Reach> reach_from(const Region& area, Point from, Point along) {
     Reach reach{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     int ahead = 0;
     const auto ring = [&](const Polygon& polygon) {
-        for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-            const double a = cross(along, polygon[j] - from), b = cross(along, polygon[i] - from);
+        if (polygon.empty()) return;
+        double a = cross(along, polygon.back() - from), b = 0;  // the hottest loop of combs
+        for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++, a = b) {
+            b = cross(along, polygon[i] - from);
             if ((a > 0) == (b > 0)) continue;
             const double t = dot(along, between(polygon[j], polygon[i], a / (a - b)) - from);
             if (t > 0) ++ahead;

@@ -14,6 +14,9 @@ constexpr int most_tries = 8;
 constexpr double shortest_tooth = 0.15;  // of the width
 // How far a tooth may reach, of the radius and of the width: not down a side branch.
 constexpr double reach_of_radius = 1.35, reach_of_width = 0.35;
+constexpr double least_misfit = 0.06;  // of the width, along the outline: combs waste as much
+constexpr int several_levels = 3;
+constexpr double long_edges = 2;  // widths
 
 /// The path by arc length; open ones go straight on at both ends.
 class Spine {
@@ -90,6 +93,14 @@ double step_from(const Region& area, const Spine& spine, double s, const Polylin
 }
 
 }  // namespace
+
+bool combs_may_pay(const Region& sand, int levels, double waste, double width) {
+    double round = perimeter(sand.outer);
+    std::size_t edges = sand.outer.size();
+    for (const Polygon& hole : sand.holes) round += perimeter(hole), edges += hole.size();
+    return waste >= least_misfit * width * round &&
+           (levels < several_levels || round >= long_edges * width * static_cast<double>(edges));
+}
 
 std::vector<Comb> combs_of(const Region& area, const std::vector<AxisPath>& paths, const Options& options) {
     const double w = options.width;

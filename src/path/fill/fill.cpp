@@ -10,9 +10,11 @@
 namespace strandline::fill {
 namespace {
 
-constexpr std::size_t most_named = 5;  // parts that are narrower than the rake; the rest are counted
-constexpr double bare_share = 0.03;    // of the area: less is corners that no rake can reach
-constexpr double rough = 0.02;         // of half the width: arcs where only areas are asked for
+constexpr std::size_t most_named = 5;       // parts that are narrower than the rake; the rest are counted
+constexpr double bare_share = 0.03;         // of the area: less is corners that no rake can reach
+constexpr double fine = 200;                // widths a tolerance: chords of the border
+constexpr std::size_t many_corners = 1000;  // of an outline that is thinned so too
+constexpr double rough = 0.02;              // of half the width: arcs where only areas are asked for
 constexpr double least_run_out = 0.05, most_run_out = 0.8;  // of the width
 // Joints of a pass that turn less (radians) are a bend drawn by chords, where that bulges by less than the
 // tolerance.
@@ -28,6 +30,18 @@ Stroke stroke_of(const Polyline& line, int element, const Options& options) {
         fitted(path_through(line, false), {.tolerance = options.tolerance, .smooth_angle = smooth_turn});
     stroke.nodes = {{0, line.front(), -1}, {length(stroke.rake_path), line.back(), -1}};
     return stroke;
+}
+
+/// Each corner of an outline costs its inset a round that crosses all others within half a width.
+Region thinned_if_rough(const Region& region, double tolerance) {
+    std::size_t corners = region.outer.size();
+    for (const Polygon& hole : region.holes) corners += hole.size();
+    if (corners <= many_corners) return region;
+    Region plain{thinned_outline(region.outer, tolerance), {}};
+    for (const Polygon& hole : region.holes)
+        if (Polygon outline = thinned_outline(hole, tolerance); outline.size() >= 3)
+            plain.holes.push_back(std::move(outline));
+    return plain.outer.size() < 3 ? region : plain;
 }
 
 std::string metres(Point p) { return fmt::format("({:.2f}, {:.2f})", p.x, p.y); }
@@ -68,15 +82,15 @@ void say_narrow(NarrowParts& narrow, const std::string& place, const Options& op
 /// how it is.
 NarrowParts middle_part(const Region& region, const Options& options) {
     const Polyline middle = region.holes.empty() ? middle_line(region.outer, options.width) : Polyline{};
-    if (middle.size() < 2) return {};
-    return {{}, {}, {}, {{middle, Arm::free, Arm::free, 0, area(region) / length(middle)}}};
+    if (middle.size() < 2) return {{}, {}, {}, {}, {region}};
+    return {{}, {}, {}, {{middle, Arm::free, Arm::free, 0, area(region) / length(middle)}}, {region}};
 }
 
 /// What neither the passes nor the arms can reach: tips.
 void say_bare(const Region& region, const NarrowParts& narrow, const std::string& place,
               const Options& options, Fill& account) {
     const double half = options.width / 2;
-    Regions bare = subtracted({region}, inset(narrow.bodies, -half * 1.01));
+    Regions bare = narrow.bare;
     std::vector<Polyline> lines;
     for (const Arm& arm : narrow.arms)
         if (!arm.line.empty()) lines.push_back(arm.line);
@@ -135,7 +149,7 @@ void drive_out(Polyline& line, const Region& region, const Options& options) {
 Regions room_for_centre(const Region& region, const std::string& place, const Options& options,
                         Fill& account) {
     const double half = options.width / 2;
-    Regions room = inset({region}, half, options.width / 200);
+    Regions room = inset({thinned_if_rough(region, options.width / fine)}, half, options.width / fine);
     const auto too_small = [&](const Region& part) {
         return area(part) < options.min_area && area(inset({part}, -half, rough * half)) < options.min_area;
     };

@@ -12,7 +12,10 @@ namespace {
 
 constexpr double least_bare = 0.1;  // of width^2: corners of over 80 degrees leave less
 constexpr double axis_step = 0.1;   // of the width: between samples of the outline
+constexpr double axis_margin = 1;   // of the width, about bare sand: the islands between arms lie within
 constexpr double thinning = 0.02;   // of the width
+constexpr double arcs = 0.01;       // of the width: chord errors where only areas are asked for
+constexpr double reach = 0.51;      // of the width, from a body: the margin holds the chords' errors
 constexpr double overlap = 0.1;     // of the width: an arm that ends on another reaches that far into it
 // Of the width: the radius of the disc that fits where two corridors as wide as the rake cross.
 constexpr double widest_disc = 0.72;
@@ -77,7 +80,9 @@ Axis contracted(Axis axis, double shortest) {
 }
 
 /// The axis of what is narrower than the rake, with the islands between, in steps of axis_step.
-Axis narrow_axis(const Regions& plain, const NarrowParts& narrow, double width) {
+Axis narrow_axis(const Regions& plain, const Regions& bare, const NarrowParts& narrow, double width) {
+    std::vector<Box> near;
+    for (const Region& part : bare) near.push_back(grown(bounds(part), axis_margin * width));
     std::vector<const Region*> islands;
     for (const Region& body : narrow.bodies)
         if (is_island(body, width)) islands.push_back(&body);
@@ -87,7 +92,7 @@ Axis narrow_axis(const Regions& plain, const NarrowParts& narrow, double width) 
     };
     Axis axis;
     for (const Region& region : plain) {
-        const MedialAxis whole = medial_axis(region, axis_step * width);
+        const MedialAxis whole = medial_axis(region, axis_step * width, near, axis_margin * width);
         const int offset = static_cast<int>(axis.nodes.size());
         axis.nodes.insert(axis.nodes.end(), whole.nodes.begin(), whole.nodes.end());
         for (const MedialAxis::Edge& edge : whole.edges) {
@@ -167,13 +172,14 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
     const double w = options.width;
     Regions plain = simplified({region}, thinning * w);
     if (plain.empty()) plain = {region};
-    NarrowParts narrow{inset(plain, w / 2), {}, {}, {}};
+    NarrowParts narrow{inset(plain, w / 2, arcs * w), {}, {}, {}, {}};
     narrow.crossed.assign(narrow.bodies.size(), false);
     narrow.raked = narrow.crossed;
-    Regions bare = subtracted(plain, inset(narrow.bodies, -0.51 * w));
+    narrow.bare = subtracted(plain, inset(narrow.bodies, -reach * w, arcs * w));
+    Regions bare = narrow.bare;
     std::erase_if(bare, [&](const Region& part) { return area(part) < least_bare * w * w; });
     if (bare.empty()) return narrow;
-    const Axis axis = narrow_axis(plain, narrow, w);
+    const Axis axis = narrow_axis(plain, bare, narrow, w);
     std::map<std::pair<int, int>, double> openings;
     for (const auto& edge : axis.edges) openings[std::minmax({edge.a, edge.b})] = edge.opening;
     const std::vector<Trail> trails = trails_of(axis, w);

@@ -20,6 +20,7 @@ struct NarrowParts {
     std::vector<bool> crossed;  ///< bodies at bends and crossings of arms, hardly larger than a point
     std::vector<bool> raked;    ///< of those, the ones that the arms rake: their own passes go
     std::vector<Arm> arms;
+    Regions bare;  ///< what no disc as wide as the rake reaches: tips and arms
 };
 /// Nothing when no stretch of the area with sides less than 15 degrees apart is narrower than the rake for a
 /// third of its width: corners, however sharp, are none. From the medial axis, so that arms may branch and

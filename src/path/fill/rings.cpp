@@ -172,6 +172,7 @@ class Nesting {
         if (least < 0.02 * area(place.sand)) return;
         const Regions plain = simplified({place.sand}, axis_thinning * w_);
         if (plain.empty()) return;
+        if (!place.centre.empty() && !combs_may_pay(plain[0], place.levels, least, w_)) return;
         const std::vector<AxisPath> paths = axis_paths(plain[0], options_);
         const auto offer = [&](std::vector<Ring>&& rings) {
             if (rings.empty()) return;

@@ -206,11 +206,11 @@ Account account_of(const Regions& regions, const std::vector<Move>& moves, const
     account.coverage = std::max(0.0, 1 - bare * cell_area / account.area);
     account.overdraw = again * cell_area / account.area;
     account.spill = (raked - covered) * cell_area / account.area;
+    if (!options.details) return account;
     count_lifts(account, moves, options.width);
     count_drives_over(account, sand, raster, moves, options.width);
     if (!moves.empty())
         account.end_off_border = distance_to_outlines(regions, moves.back().line.back()) - options.width / 2;
-    if (!options.details) return account;
     if (raked > covered) account.spill_reach = raster.cell * farthest_outside(raster, inside, sand.passes);
     account.crisp_edge = crisp_edge(regions, sand, raster, options.width);
     account.gaps = gaps_of(raster, inside, sand.passes, options.least_gap * options.width);

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -68,10 +69,24 @@ void say_contacts(const std::vector<Polygon>& rings, const std::vector<std::stri
     }
 }
 
-Json written(const Polyline& line) {
-    Json points = Json::array();
-    for (Point p : line) points.push_back({p.x, p.y});
-    return points;
+/// As short as reads back the same, without a JSON value for each.
+void append(std::string& text, double number) {
+    if (std::isfinite(number))
+        fmt::format_to(std::back_inserter(text), "{}", number);
+    else
+        text += "null";
+}
+
+void append(std::string& text, const Polyline& line) {
+    text += '[';
+    for (Point p : line) {
+        text += text.back() == '[' ? "[" : ",[";
+        append(text, p.x);
+        text += ',';
+        append(text, p.y);
+        text += ']';
+    }
+    text += ']';
 }
 
 }  // namespace
@@ -89,13 +104,15 @@ Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) 
         return fail(place, "has no polygon",
                     "write {\"polygon\":{\"outer\":[[x,y],...],\"holes\":[...]},\"width\":w}");
     FillTask task;
-    task.source = text;
     if (json.contains("width")) {
         const Json& width = json["width"];
         if (!width.is_number() || !std::isfinite(width.get<double>()) || width.get<double>() <= 0)
             return fail(place + ", width", "is not a number above 0");
         task.width = width.get<double>();
     }
+    json.erase("width");
+    json.erase("strokes");
+    task.source = json.dump();
     const Json& polygon = json["polygon"];
     const auto outer = ring_from(polygon["outer"], place + ", outer", task.warnings);
     if (!outer) return tl::unexpected(outer.error());
@@ -106,7 +123,7 @@ Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) 
     if (polygon.contains("holes")) {
         if (!polygon["holes"].is_array()) return fail(place + ", holes", "is not a list of rings");
         const Regions whole = task.regions;
-        Regions cut_out;  // one by one: holes that overlap stay holes
+        Regions cut_out;  // united: holes that overlap stay holes
         for (std::size_t i = 0; i < polygon["holes"].size(); ++i) {
             const std::string name = fmt::format("{}, hole {}", place, i);
             const auto hole = ring_from(polygon["holes"][i], name, task.warnings);
@@ -116,13 +133,13 @@ Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) 
                 task.warnings.push_back({name, "has no area: left out"});
                 continue;
             }
-            if (intersected(inside, whole).empty())
+            if (!contains(whole, point_inside(inside[0])) && intersected(inside, whole).empty())
                 task.warnings.push_back({name, "lies outside the outline: left out"});
             rings.push_back(*hole);
             names.push_back(name);
-            cut_out = united(cut_out, inside);
+            cut_out.insert(cut_out.end(), inside.begin(), inside.end());
         }
-        if (!cut_out.empty()) task.regions = subtracted(task.regions, cut_out);
+        if (!cut_out.empty()) task.regions = subtracted(task.regions, united(cut_out, {}));
     }
     say_contacts(rings, names, task.warnings);
     constexpr double sliver = 1e-9;  // of the area: what rounding leaves between outlines that touch
@@ -138,20 +155,23 @@ Outcome<FillTask> read_polygon(std::string_view text, const std::string& place) 
 
 std::string write_moves(const FillTask& task, double width, const std::vector<rake::Move>& moves,
                         std::optional<int> pins) {
-    Json json = Json::parse(task.source);
-    json["width"] = width;
-    Json list = Json::array();
+    std::string text = task.source;
+    text.pop_back();  // the object is not over
+    text += ",\"width\":";
+    append(text, width);
+    text += ",\"strokes\":[";
     for (const rake::Move& move : moves) {
-        Json item{{"pts", written(move.line)}, {"down", move.mask != 0}};
-        if (pins && move.mask != 0) {
-            std::string mask;  // leftmost pin first
-            for (int pin = *pins - 1; pin >= 0; --pin) mask += (move.mask >> pin & 1U) != 0 ? '1' : '0';
-            item["mask"] = mask;
+        text += text.back() == '[' ? "{\"pts\":" : ",{\"pts\":";
+        append(text, move.line);
+        text += move.mask != 0 ? ",\"down\":true" : ",\"down\":false";
+        if (pins && move.mask != 0) {  // leftmost pin first
+            text += ",\"mask\":\"";
+            for (int pin = *pins - 1; pin >= 0; --pin) text += (move.mask >> pin & 1U) != 0 ? '1' : '0';
+            text += '"';
         }
-        list.push_back(std::move(item));
+        text += '}';
     }
-    json["strokes"] = std::move(list);
-    return json.dump() + "\n";
+    return text + "]}\n";
 }
 
 std::string write_account(const rake::Account& account) {

@@ -26,7 +26,7 @@ std::string write_solution(const tour::Tour& tour);
 struct FillTask {
     Regions regions;  ///< the polygon, repaired even-odd
     std::optional<double> width;
-    std::string source;  ///< the input text: written back with strokes added
+    std::string source;  ///< the input's object without width and strokes: written back with both
     Warnings warnings;
 };
 Outcome<FillTask> read_polygon(std::string_view text, const std::string& place);
