@@ -133,8 +133,12 @@ class Nesting {
         const Regions centre = places_[i].centre;  // places move when one is added
         const int level = places_[i].level;
         for (const Region& region : centre) {
-            places_[i].rings.push_back(ring_of(region.outer, level, true));
-            for (const Polygon& hole : region.holes) places_[i].rings.push_back(ring_of(hole, level, true));
+            const auto add_ring = [&](const Polygon& line) {
+                places_[i].rings.push_back(
+                    ring_of(level > 0 ? with_pointed_corners(line, options_) : line, level, true));
+            };
+            add_ring(region.outer);
+            for (const Polygon& hole : region.holes) add_ring(hole);
         }
         if (centre.empty() || level >= most_levels) return;
         for (Region& rest : sand_within(levels_, centre, level, options_))
