@@ -11,7 +11,7 @@ constexpr double last_share = 0.1;     // of the width: less sand at a comb's en
 constexpr double smallest_step = 0.7;  // of the width: where the area widens at once the next ends lie apart
 constexpr double widest_excess = 0.8;  // of the width: less than the ring outside is wide
 constexpr int most_tries = 8;
-constexpr double shortest_tooth = 0.15;  // of the width
+constexpr double shortest_tooth = 0.08;  // of the width
 // How far a tooth may reach, of the radius and of the width: not down a side branch.
 constexpr double reach_of_radius = 1.35, reach_of_width = 0.35;
 

@@ -12,11 +12,10 @@ constexpr double squarest =
 constexpr double shortest_edge = 0.98;  // of the width: what is left of an edge after a cut at both its ends
 constexpr double shortest_masked = 0.25;  // the same where pins are lifted over raked sand
 constexpr double least_gap = 0.004;       // of width^2: what a turn on the spot may leave when there are pins
-constexpr double sharp_turn = 0.7;         // radians: flatter corners leave next to nothing
-constexpr double pointed_share = 0.6;      // of the way from the wedge to the tip
-constexpr double most_pointed = 0.4;       // of the width
-constexpr double pointed_along = 0.5;      // of the width: where the way to the drawn-on corner begins
-constexpr double least_along = 0.15;       // of the width
+constexpr double sharp_turn = 0.7;        // radians: flatter corners leave next to nothing
+constexpr double pointed_share = 0.6;     // of the way from the wedge to the tip
+constexpr double most_pointed = 0.25;     // of the width
+constexpr double pointed_along = 0.15;    // of the width: where the way to the drawn-on corner begins
 constexpr double longest_move = 0.99;     // of the width, from the end of one pass to the start of the next
 
 /// Without the points that lie on straight edges: an edge is as long as it looks.
@@ -82,54 +81,24 @@ std::vector<Polyline> with_cut_corners(const Polyline& whole, bool closed, const
 }
 
 Polygon with_pointed_corners(const Polygon& ring, const Options& options) {
-    const std::size_t n = ring.size();
-    if (!options.pivots || options.masked || n < 3) return ring;
+    if (!options.pivots || options.masked) return ring;
     const double w = options.width;
-    std::vector<std::size_t> sharp;
-    for (std::size_t i = 0; i < n; ++i) {
-        const Point before = ring[(i + n - 1) % n], after = ring[(i + 1) % n];
-        const Point in = ring[i] - before, out = after - ring[i];
-        if (std::atan2(cross(in, out), dot(in, out)) > sharp_turn && !cut_corner(before, ring[i], after, options))
-            sharp.push_back(i);
-    }
-    if (sharp.empty()) return ring;
-    Polyline loop = ring;
-    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(sharp.front()), loop.end());
-    loop.push_back(loop.front());
-    // Stretches from one sharp corner to the next, their ends replaced by the ways to the drawn-on corners.
-    std::vector<Polyline> stretches;
-    for (std::size_t k = 0; k < sharp.size(); ++k) {
-        const std::size_t from = sharp[k] - sharp.front();
-        const std::size_t to = k + 1 < sharp.size() ? sharp[k + 1] - sharp.front() : n;
-        stretches.emplace_back(loop.begin() + static_cast<std::ptrdiff_t>(from),
-                               loop.begin() + static_cast<std::ptrdiff_t>(to + 1));
-    }
     Polygon pointed;
-    std::vector<double> along;
-    for (const Polyline& stretch : stretches) along.push_back(std::min(pointed_along * w, 0.45 * length(stretch)));
-    for (std::size_t k = 0; k < stretches.size(); ++k) {
-        const std::size_t last = (k + stretches.size() - 1) % stretches.size();
-        const Polyline& before = stretches[last];
-        const double m = std::min(along[last], along[k]);
-        const Point corner = stretches[k].front();
-        const Polyline in = slice(before, length(before) - m, length(before)), out = slice(stretches[k], 0, m);
-        const Point a = normalized(corner - in.front()), b = normalized(out.back() - corner);
-        const double half = std::atan2(cross(a, b), dot(a, b)) / 2;
-        const bool draws = m > least_along * w && half > sharp_turn / 2;
-        const double on = draws ? w * std::min(pointed_share * (1 / std::cos(half) - 1) / 2, most_pointed) : 0;
-        pointed.push_back(corner + on * normalized(a - b));
-        const double begin = draws ? m : 0;
-        const std::size_t next = (k + 1) % stretches.size();
-        // How much of the stretch's end belongs to the next corner.
-        const double end_m = std::min(along[k], along[next]);
-        const Polyline rest = slice(stretches[k], begin, length(stretches[k]) - end_m);
-        if (!draws) {
-            pointed.insert(pointed.end(), rest.begin() + 1, rest.end());
-        } else {
-            pointed.insert(pointed.end(), rest.begin(), rest.end());
+    for (std::size_t n = ring.size(), i = 0; i < n; ++i) {
+        const Point before = ring[(i + n - 1) % n], corner = ring[i], after = ring[(i + 1) % n];
+        const Point in = normalized(corner - before), out = normalized(after - corner);
+        const double turn = std::atan2(cross(in, out), dot(in, out));
+        if (turn < sharp_turn || cut_corner(before, corner, after, options)) {
+            pointed.push_back(corner);
+            continue;
         }
+        const double tip = (1 / std::cos(turn / 2) - 1) / 2;  // from the wedge to the tip, widths
+        const double on = std::min(pointed_share * tip, most_pointed) * w;
+        pointed.push_back(corner - std::min(pointed_along * w, distance(before, corner) / 3) * in);
+        pointed.push_back(corner + on * normalized(in - out));
+        pointed.push_back(corner + std::min(pointed_along * w, distance(corner, after) / 3) * out);
     }
-    return without_duplicates(pointed, 1e-9 * w);
+    return pointed;
 }
 
 }  // namespace strandline::fill
