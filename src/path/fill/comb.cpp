@@ -10,6 +10,7 @@ constexpr double tangent_over = 0.5;   // of the width, to both sides: the direc
 constexpr double last_share = 0.1;     // of the width: less sand at a comb's end gets no further tooth
 constexpr double smallest_step = 0.7;  // of the width: where the area widens at once the next ends lie apart
 constexpr double widest_excess = 0.8;  // of the width: less than the ring outside is wide
+constexpr double least_evened = 0.995, evening_slack = 0.003;
 constexpr int most_tries = 8;
 constexpr double shortest_tooth = 0.08;  // of the width
 // How far a tooth may reach, of the radius and of the width: not down a side branch.
@@ -75,40 +76,58 @@ std::optional<Polyline> tooth_at(const Region& area, const Spine& spine, double 
     return Polyline{c - down * n, c + up * n};
 }
 
-/// As far on as the next tooth's ends are within a width of this one's.
-double step_from(const Region& area, const Spine& spine, double s, const Polyline& tooth, double w) {
-    double step = w;
+/// As far on as the next tooth's ends are within `most` of this one's.
+double step_from(const Region& area, const Spine& spine, double s, const Polyline& tooth, double w,
+                 double most) {
+    double step = most;
     for (int i = 0; i < most_tries; ++i) {
         const auto next = tooth_at(area, spine, s + step, w);
-        if (!next) return w;
+        if (!next) return most;
         const double apart = std::max(distance(tooth[0], (*next)[0]), distance(tooth[1], (*next)[1]));
-        if (apart <= w) return step;
-        if (step <= smallest_step * w) return w;  // the area widens at once: no step is small enough
-        step = std::max(smallest_step * w, step * std::min(w / apart, 0.995));
+        if (apart <= most) return step;
+        if (step <= smallest_step * w) return most;  // the area widens at once: no step is small enough
+        step = std::max(smallest_step * w, step * std::min(most / apart, 0.995));
     }
     return step;
+}
+
+struct Teeth {
+    std::vector<Polyline> lines;
+    double room = 1;  // what of the steps' sum is needed
+};
+
+Teeth teeth_along(const Region& area, const Spine& spine, double w, double most) {
+    Teeth teeth;
+    const double begin = spine.closed() ? 0 : std::min(w / 2, spine.length() / 2);
+    const double end = spine.length() - (spine.closed() ? 0 : w / 2);
+    for (double s = begin;;) {
+        const auto tooth = tooth_at(area, spine, s, w);
+        if (tooth) teeth.lines.push_back(*tooth);
+        const double left = end - s;
+        if (!spine.closed() && left < last_share * w) break;
+        const double next = s + (tooth ? step_from(area, spine, s, *tooth, w, most) : w);
+        if (next > end) teeth.room = (end - begin) / (next - begin);
+        if (spine.closed() && left < w * (1 + last_share)) break;
+        s = spine.closed() ? next : std::min(next, end);
+    }
+    return teeth;
+}
+
+/// Teeth with even steps: what one too many would rake twice is shared by all.
+std::vector<Polyline> even_teeth(const Region& area, const Spine& spine, double w) {
+    Teeth teeth = teeth_along(area, spine, w, w);
+    if (teeth.room > least_evened) return std::move(teeth.lines);
+    Teeth even = teeth_along(area, spine, w, std::max(smallest_step, teeth.room + evening_slack) * w);
+    return std::move(even.lines.size() <= teeth.lines.size() ? even.lines : teeth.lines);
 }
 
 }  // namespace
 
 std::vector<Comb> combs_of(const Region& area, const std::vector<AxisPath>& paths, const Options& options) {
-    const double w = options.width;
     std::vector<Comb> combs;
-    for (const AxisPath& path : paths) {
-        const Spine spine(path);
-        Comb comb{path.line, {}};
-        const double end = spine.length() - (spine.closed() ? 0 : w / 2);
-        double s = spine.closed() ? 0 : std::min(w / 2, spine.length() / 2);
-        while (true) {
-            const auto tooth = tooth_at(area, spine, s, w);
-            if (tooth) comb.teeth.push_back(*tooth);
-            const double step = tooth ? step_from(area, spine, s, *tooth, w) : w;
-            const double left = end - s;
-            if (spine.closed() ? left < w * (1 + last_share) : left < last_share * w) break;
-            s = spine.closed() ? s + step : std::min(s + step, end);
-        }
-        if (!comb.teeth.empty()) combs.push_back(std::move(comb));
-    }
+    for (const AxisPath& path : paths)
+        if (Comb comb{path.line, even_teeth(area, Spine(path), options.width)}; !comb.teeth.empty())
+            combs.push_back(std::move(comb));
     return combs;
 }
 
