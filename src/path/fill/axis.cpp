@@ -267,6 +267,19 @@ std::vector<AxisPath> axis_paths(const Region& area, const Options& options) {
     return paths;
 }
 
+std::vector<AxisPath> straightened(const std::vector<AxisPath>& paths, const Options& options) {
+    std::vector<AxisPath> straight;
+    for (const AxisPath& path : paths) {
+        AxisPath& plain = straight.emplace_back();
+        plain.closed = path.closed;
+        for (const std::size_t i : strandline::thinned(path.line, bend_tolerance * options.width)) {
+            plain.line.push_back(path.line[i]);
+            plain.radius.push_back(path.radius[i]);
+        }
+    }
+    return straight;
+}
+
 std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const Region& area,
                                       const Options& options) {
     const double w = options.width;

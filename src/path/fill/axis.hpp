@@ -16,6 +16,9 @@ struct AxisPath {
 /// An area about as long as wide gets one path along its longest edge. O(n log n).
 std::vector<AxisPath> axis_paths(const Region& area, const Options& options);
 
+/// The same paths as they look from afar: side branches and the outline's roughness do not turn them.
+std::vector<AxisPath> straightened(const std::vector<AxisPath>& paths, const Options& options);
+
 /// The same paths, parted where they turn sharply: the straighter leg goes straight on to the outline, the
 /// next begins beside it.
 std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const Region& area,

@@ -195,9 +195,11 @@ class Nesting {
             offer(std::move(spines));
         }
         if (!combs) return;
-        offer(combed(plain[0], paths, place.level));
-        if (const auto legs = parted_at_bends(paths, plain[0], options_); legs.size() > paths.size())
-            offer(combed(plain[0], legs, place.level));
+        for (const std::vector<AxisPath>& middle : {paths, straightened(paths, options_)}) {
+            offer(combed(plain[0], middle, place.level));
+            if (const auto legs = parted_at_bends(middle, plain[0], options_); legs.size() > middle.size())
+                offer(combed(plain[0], legs, place.level));
+        }
     }
 
     std::vector<Ring> combed(const Region& sand, const std::vector<AxisPath>& paths, int level) const {
