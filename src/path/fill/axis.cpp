@@ -171,6 +171,13 @@ void cut_start(AxisPath& path) {
     const double r = path.radius.front();
     std::size_t i = 1;
     while (i + 1 < path.line.size() && distance(path.line[i], centre) < r) ++i;
+    const double inner = distance(path.line[i - 1], centre), outer = distance(path.line[i], centre);
+    if (outer > r) {  // where the chord leaves the disc, near enough: chords are short or begin in the centre
+        const double t = (r - inner) / (outer - inner);
+        --i;
+        path.line[i] = between(path.line[i], path.line[i + 1], t);
+        path.radius[i] += t * (path.radius[i + 1] - path.radius[i]);
+    }
     path.line.erase(path.line.begin(), path.line.begin() + static_cast<std::ptrdiff_t>(i));
     path.radius.erase(path.radius.begin(), path.radius.begin() + static_cast<std::ptrdiff_t>(i));
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double squarest =
     0.11;  // |cos| of the turn: beyond, the round wedge of a turn on the spot wastes less
-constexpr double shortest_edge = 0.98;  // of the width: what is left of an edge after a cut at both its ends
+constexpr double shortest_edge = 0.6;  // of the width: what is left of an edge after a cut at both its ends
 constexpr double shortest_masked = 0.25;  // the same where pins are lifted over raked sand
 constexpr double least_gap = 0.004;       // of width^2: what a turn on the spot may leave when there are pins
 constexpr double sharp_turn = 0.7;        // radians: flatter corners leave next to nothing

@@ -23,7 +23,8 @@ constexpr double fine = 200,
                  coarse = 50;  // widths a tolerance: outlines are thinned, of very rough areas more
 constexpr std::size_t many_corners = 1000;
 constexpr double axis_thinning = 0.03;
-constexpr double bare_price = 2;        // bare sand against sand raked twice
+constexpr double hop_price = 0.6;       // area that a further piece must save: the way there is a hop
+constexpr double bare_price = 4;        // bare sand against sand raked twice
 constexpr double masked_price = 0.1;    // a pass, when what it rakes twice is lifted over
 constexpr double trial_cell = 1 / 8.0;  // the raster on which choices are tried
 constexpr double spine_thinning = 0.02;
@@ -172,7 +173,9 @@ class Nesting {
         const bool combs = options_.pivots && !options_.masked &&
                            (place.levels <= plain_levels || place.sand.holes.size() <= most_holes);
         if (!place.centre.empty() && !combs) return;
-        double least = waste(place.sand, served(i), options_);
+        const std::vector<Ring> plain_rings = served(i);
+        const std::size_t served_by = plain_rings.size();
+        double least = waste(place.sand, plain_rings, options_);
         if (least < 0.02 * area(place.sand)) return;
         const Regions plain = simplified({place.sand}, axis_thinning * w_);
         if (plain.empty()) return;
@@ -182,6 +185,9 @@ class Nesting {
             double its = waste(place.sand, rings, options_);
             for (const Ring& ring : rings)
                 its += tooth_price * w_ * w_ * static_cast<double>(ring.teeth.size());
+            // Each way to a further piece is a hop.
+            const auto further = static_cast<double>(rings.size()) - static_cast<double>(served_by);
+            its += hop_price * w_ * w_ * std::max(0.0, further);
             if (its >= least) return;
             least = its;
             place.rings = std::move(rings);
