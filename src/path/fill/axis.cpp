@@ -220,6 +220,19 @@ std::vector<AxisPath> across(const Region& area, const MedialAxis& axis) {
              false}};
 }
 
+/// Where a path turns, as it looks from afar; not at its ends.
+std::vector<std::size_t> bends_of(const AxisPath& path, double width) {
+    Polyline line = path.line;
+    if (path.closed) line.push_back(line.front());
+    const std::vector<std::size_t> kept = strandline::thinned(line, bend_tolerance * width);
+    std::vector<std::size_t> bends;
+    for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
+        const Point in = line[kept[k]] - line[kept[k - 1]], out = line[kept[k + 1]] - line[kept[k]];
+        if (std::abs(std::atan2(cross(in, out), dot(in, out))) > least_bend) bends.push_back(kept[k]);
+    }
+    return bends;
+}
+
 }  // namespace
 
 std::optional<Reach> reach_from(const Region& area, Point from, Point along) {
@@ -291,17 +304,18 @@ std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const 
                                       const Options& options) {
     const double w = options.width;
     std::vector<AxisPath> legs;
-    for (const AxisPath& path : paths) {
+    for (AxisPath path : paths) {
+        std::vector<std::size_t> bends = bends_of(path, w);
+        if (path.closed && !bends.empty()) {  // a loop begins at a bend
+            const auto first = static_cast<std::ptrdiff_t>(bends.front());
+            std::rotate(path.line.begin(), path.line.begin() + first, path.line.end());
+            std::rotate(path.radius.begin(), path.radius.begin() + first, path.radius.end());
+            bends = bends_of(path, w);
+        }
+        bends.insert(bends.begin(), 0);
         Polyline line = path.line;
         std::vector<double> radius = path.radius;
         if (path.closed) line.push_back(line.front()), radius.push_back(radius.front());
-        // The corners of the path as it looks from afar.
-        const std::vector<std::size_t> kept = strandline::thinned(line, bend_tolerance * w);
-        std::vector<std::size_t> bends{0};
-        for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
-            const Point in = line[kept[k]] - line[kept[k - 1]], out = line[kept[k + 1]] - line[kept[k]];
-            if (std::abs(std::atan2(cross(in, out), dot(in, out))) > least_bend) bends.push_back(kept[k]);
-        }
         bends.push_back(line.size() - 1);
         if (bends.size() == 2) {
             legs.push_back(path);

@@ -185,8 +185,8 @@ class Nesting {
             double its = waste(place.sand, rings, options_);
             for (const Ring& ring : rings)
                 its += tooth_price * w_ * w_ * static_cast<double>(ring.teeth.size());
-            // Each way to a further piece is a hop.
-            const auto further = static_cast<double>(rings.size()) - static_cast<double>(served_by);
+            // Each way to a further piece is a hop, but legs of a path lie beside each other.
+            const auto further = static_cast<double>(paths.size()) - static_cast<double>(served_by);
             its += hop_price * w_ * w_ * std::max(0.0, further);
             if (its >= least) return;
             least = its;
