@@ -192,7 +192,8 @@ void draw_on(AxisPath& path, const Region& area, double width) {
             break;
         }
     const Point on = normalized(path.line.back() - back);
-    if (const auto reach = reach_from(area, path.line.back(), on); reach && reach->forward < 2 * r + width) {
+    if (const auto reach = reach_from({&area, 1}, path.line.back(), on);
+        reach && reach->forward < 2 * r + width) {
         path.line.push_back(path.line.back() + reach->forward * on);
         path.radius.push_back(r);
     }
@@ -212,7 +213,7 @@ std::vector<AxisPath> across(const Region& area, const MedialAxis& axis) {
     for (std::size_t i = 0, j = area.outer.size() - 1; i < area.outer.size(); j = i++)
         if (const double d = distance(area.outer[j], area.outer[i]); d > longest * (1 + 1e-9))
             longest = d, along = normalized(area.outer[i] - area.outer[j]);
-    const auto reach = reach_from(area, widest->at, along);
+    const auto reach = reach_from({&area, 1}, widest->at, along);
     if (!reach) return {};
     const double r = widest->radius;
     return {{{widest->at - reach->backward * along, widest->at, widest->at + reach->forward * along},
@@ -235,7 +236,7 @@ std::vector<std::size_t> bends_of(const AxisPath& path, double width) {
 
 }  // namespace
 
-std::optional<Reach> reach_from(const Region& area, Point from, Point along) {
+std::optional<Reach> reach_from(std::span<const Region> area, Point from, Point along) {
     Reach reach{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     int ahead = 0;
     const auto ring = [&](const Polygon& polygon) {
@@ -248,8 +249,10 @@ std::optional<Reach> reach_from(const Region& area, Point from, Point along) {
                 std::min(t > 0 ? reach.forward : reach.backward, std::abs(t));
         }
     };
-    ring(area.outer);
-    for (const Polygon& hole : area.holes) ring(hole);
+    for (const Region& part : area) {
+        ring(part.outer);
+        for (const Polygon& hole : part.holes) ring(hole);
+    }
     if (ahead % 2 == 0 || !std::isfinite(reach.backward)) return std::nullopt;
     return reach;
 }

@@ -1,5 +1,7 @@
 #pragma once
 // Private to the room: the middle lines of an area as paths.
+#include <span>
+
 #include "math/region/region.hpp"
 #include "path/fill/fill.hpp"
 
@@ -29,6 +31,6 @@ std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const 
 struct Reach {
     double forward = 0, backward = 0;
 };
-std::optional<Reach> reach_from(const Region& area, Point from, Point along);
+std::optional<Reach> reach_from(std::span<const Region> area, Point from, Point along);
 
 }  // namespace strandline::fill

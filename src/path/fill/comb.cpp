@@ -10,6 +10,7 @@ constexpr double tangent_over = 0.5;   // of the width, to both sides: the direc
 constexpr double last_share = 0.1;     // of the width: less sand at a comb's end gets no further tooth
 constexpr double smallest_step = 0.7;  // of the width: where the area widens at once the next ends lie apart
 constexpr double widest_excess = 0.8;  // of the width: less than the ring outside is wide
+constexpr double end_step = 0.05;      // of the width: how exactly a comb begins beside another
 constexpr double least_evened = 0.995, evening_slack = 0.003;
 constexpr int most_tries = 8;
 constexpr double shortest_tooth = 0.08;  // of the width
@@ -56,7 +57,7 @@ class Spine {
     bool closed_;
 };
 
-std::optional<Polyline> tooth_at(const Region& area, const Spine& spine, double s, double w) {
+std::optional<Polyline> tooth_at(const Regions& area, const Spine& spine, double s, double w) {
     const Point t = normalized(spine.at(s + tangent_over * w) - spine.at(s - tangent_over * w));
     const Point c = spine.at(s), n = left_normal(t);
     const double most = reach_of_radius * spine.radius(s) + reach_of_width * w;
@@ -77,7 +78,7 @@ std::optional<Polyline> tooth_at(const Region& area, const Spine& spine, double 
 }
 
 /// As far on as the next tooth's ends are within `most` of this one's.
-double step_from(const Region& area, const Spine& spine, double s, const Polyline& tooth, double w,
+double step_from(const Regions& area, const Spine& spine, double s, const Polyline& tooth, double w,
                  double most) {
     double step = most;
     for (int i = 0; i < most_tries; ++i) {
@@ -91,15 +92,32 @@ double step_from(const Region& area, const Spine& spine, double s, const Polylin
     return step;
 }
 
+/// The part of an open spine that has a comb.
+struct Stretch {
+    double from, to;
+};
+
+/// From raked sand to raked sand: the ends of a spine lie a disc's radius off a path that it branches from.
+Stretch unraked_stretch(const Regions& unraked, const Spine& spine, double w) {
+    const double step = end_step * w;
+    const auto inside = [&](double s) { return contains(unraked, spine.at(s)); };
+    Stretch all{0, spine.length()};
+    while (all.from < all.to && !inside(all.from)) all.from += step;
+    while (all.from < all.to && !inside(all.to)) all.to -= step;
+    while (all.from <= 0 && all.from > -w && inside(all.from - step)) all.from -= step;
+    while (all.to >= spine.length() && all.to < spine.length() + w && inside(all.to + step)) all.to += step;
+    return all;
+}
+
 struct Teeth {
     std::vector<Polyline> lines;
     double room = 1;  // what of the steps' sum is needed
 };
 
-Teeth teeth_along(const Region& area, const Spine& spine, double w, double most) {
+Teeth teeth_along(const Regions& area, const Spine& spine, const Stretch& stretch, double w, double most) {
     Teeth teeth;
-    const double begin = spine.closed() ? 0 : std::min(w / 2, spine.length() / 2);
-    const double end = spine.length() - (spine.closed() ? 0 : w / 2);
+    const double begin = spine.closed() ? 0 : std::min(stretch.from + w / 2, (stretch.from + stretch.to) / 2);
+    const double end = spine.closed() ? spine.length() : stretch.to - w / 2;
     for (double s = begin;;) {
         const auto tooth = tooth_at(area, spine, s, w);
         if (tooth) teeth.lines.push_back(*tooth);
@@ -114,20 +132,30 @@ Teeth teeth_along(const Region& area, const Spine& spine, double w, double most)
 }
 
 /// Teeth with even steps: what one too many would rake twice is shared by all.
-std::vector<Polyline> even_teeth(const Region& area, const Spine& spine, double w) {
-    Teeth teeth = teeth_along(area, spine, w, w);
+std::vector<Polyline> even_teeth(const Regions& area, const Spine& spine, const Stretch& stretch, double w) {
+    Teeth teeth = teeth_along(area, spine, stretch, w, w);
     if (teeth.room > least_evened) return std::move(teeth.lines);
-    Teeth even = teeth_along(area, spine, w, std::max(smallest_step, teeth.room + evening_slack) * w);
+    Teeth even =
+        teeth_along(area, spine, stretch, w, std::max(smallest_step, teeth.room + evening_slack) * w);
     return std::move(even.lines.size() <= teeth.lines.size() ? even.lines : teeth.lines);
 }
 
 }  // namespace
 
 std::vector<Comb> combs_of(const Region& area, const std::vector<AxisPath>& paths, const Options& options) {
+    const double w = options.width;
     std::vector<Comb> combs;
-    for (const AxisPath& path : paths)
-        if (Comb comb{path.line, even_teeth(area, Spine(path), options.width)}; !comb.teeth.empty())
-            combs.push_back(std::move(comb));
+    Regions unraked{area};
+    for (const AxisPath& path : paths) {
+        const Spine spine(path);
+        const Stretch whole{0, spine.length()};
+        const Stretch stretch = combs.empty() || spine.closed() ? whole : unraked_stretch(unraked, spine, w);
+        if (stretch.to - stretch.from < last_share * w) continue;
+        Comb comb{path.line, even_teeth(unraked, spine, stretch, w)};
+        if (comb.teeth.empty()) continue;
+        if (&path != &paths.back()) unraked = subtracted(unraked, swept(comb.teeth, false, w / 2, Cap::flat));
+        combs.push_back(std::move(comb));
+    }
     return combs;
 }
 
