@@ -303,8 +303,7 @@ std::vector<AxisPath> straightened(const std::vector<AxisPath>& paths, const Opt
     return straight;
 }
 
-std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const Region& area,
-                                      const Options& options) {
+std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const Options& options) {
     const double w = options.width;
     std::vector<AxisPath> legs;
     for (AxisPath path : paths) {
@@ -327,18 +326,12 @@ std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const 
         for (std::size_t k = 1; k < bends.size(); ++k) {
             const auto from = static_cast<std::ptrdiff_t>(bends[k - 1]),
                        to = static_cast<std::ptrdiff_t>(bends[k] + 1);
-            AxisPath leg{{line.begin() + from, line.begin() + to},
-                         {radius.begin() + from, radius.begin() + to},
-                         false};
-            if (leg.line.size() < 2) continue;
-            if (k > 1 || path.closed) cut_start(leg);
-            if (leg.line.size() < 2) continue;
-            if (k + 1 < bends.size() || path.closed) {
-                draw_on(leg, area, w);
-            }
-            legs.push_back(std::move(leg));
+            legs.push_back({{line.begin() + from, line.begin() + to},
+                            {radius.begin() + from, radius.begin() + to},
+                            false});
         }
     }
+    std::ranges::stable_sort(legs, std::greater{}, [](const AxisPath& leg) { return length(leg.line); });
     return legs;
 }
 

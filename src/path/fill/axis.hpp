@@ -21,10 +21,8 @@ std::vector<AxisPath> axis_paths(const Region& area, const Options& options);
 /// The same paths as they look from afar: side branches and the outline's roughness do not turn them.
 std::vector<AxisPath> straightened(const std::vector<AxisPath>& paths, const Options& options);
 
-/// The same paths, parted where they turn sharply: the straighter leg goes straight on to the outline, the
-/// next begins beside it.
-std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const Region& area,
-                                      const Options& options);
+/// The same paths, parted where they turn sharply: longest leg first.
+std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const Options& options);
 
 /// Where a line through `from` along the unit vector `along` leaves the area, both ways: distances forward
 /// and backward; none when `from` is outside. O(corners).

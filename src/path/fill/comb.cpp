@@ -104,8 +104,10 @@ Stretch unraked_stretch(const Regions& unraked, const Spine& spine, double w) {
     Stretch all{0, spine.length()};
     while (all.from < all.to && !inside(all.from)) all.from += step;
     while (all.from < all.to && !inside(all.to)) all.to -= step;
-    while (all.from <= 0 && all.from > -w && inside(all.from - step)) all.from -= step;
-    while (all.to >= spine.length() && all.to < spine.length() + w && inside(all.to + step)) all.to += step;
+    const double most = w + 2 * std::max(spine.radius(0), spine.radius(spine.length()));
+    while (all.from <= 0 && all.from > -most && inside(all.from - step)) all.from -= step;
+    while (all.to >= spine.length() && all.to < spine.length() + most && inside(all.to + step))
+        all.to += step;
     return all;
 }
 
@@ -149,7 +151,7 @@ std::vector<Comb> combs_of(const Region& area, const std::vector<AxisPath>& path
     for (const AxisPath& path : paths) {
         const Spine spine(path);
         const Stretch whole{0, spine.length()};
-        const Stretch stretch = combs.empty() || spine.closed() ? whole : unraked_stretch(unraked, spine, w);
+        const Stretch stretch = spine.closed() ? whole : unraked_stretch(unraked, spine, w);
         if (stretch.to - stretch.from < last_share * w) continue;
         Comb comb{path.line, even_teeth(unraked, spine, stretch, w)};
         if (comb.teeth.empty()) continue;

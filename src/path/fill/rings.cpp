@@ -203,7 +203,7 @@ class Nesting {
         if (!combs) return;
         for (const std::vector<AxisPath>& middle : {paths, straightened(paths, options_)}) {
             offer(combed(plain[0], middle, place.level));
-            if (const auto legs = parted_at_bends(middle, plain[0], options_); legs.size() > middle.size())
+            if (const auto legs = parted_at_bends(middle, options_); legs.size() > middle.size())
                 offer(combed(plain[0], legs, place.level));
         }
     }
