@@ -10,7 +10,9 @@ constexpr double tangent_over = 0.5;   // of the width, to both sides: the direc
 constexpr double last_share = 0.1;     // of the width: less sand at a comb's end gets no further tooth
 constexpr double smallest_step = 0.7;  // of the width: where the area widens at once the next ends lie apart
 constexpr double widest_excess = 0.8;  // of the width: less than the ring outside is wide
-constexpr double end_step = 0.05;      // of the width: how exactly a comb begins beside another
+constexpr int end_halvings = 5;
+constexpr double end_step =
+    0.1;  // of the width: where a comb begins beside another is looked for so, then halved
 constexpr double least_evened = 0.995, evening_slack = 0.003;
 constexpr int most_tries = 8;
 constexpr double shortest_tooth = 0.08;  // of the width
@@ -108,6 +110,14 @@ Stretch unraked_stretch(const Regions& unraked, const Spine& spine, double w) {
     while (all.from <= 0 && all.from > -most && inside(all.from - step)) all.from -= step;
     while (all.to >= spine.length() && all.to < spine.length() + most && inside(all.to + step))
         all.to += step;
+    const auto refined = [&](double in, double out) {
+        for (int i = 0; i < end_halvings; ++i) (inside((in + out) / 2) ? in : out) = (in + out) / 2;
+        return in;
+    };
+    if (all.from < all.to) {
+        all.from = refined(all.from, all.from - step);
+        all.to = refined(all.to, all.to + step);
+    }
     return all;
 }
 
