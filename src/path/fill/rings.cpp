@@ -24,6 +24,7 @@ constexpr double fine = 200,
 constexpr std::size_t many_corners = 1000;
 constexpr double axis_thinning = 0.03;
 constexpr double hop_price = 0.6;       // area that a further piece must save: the way there is a hop
+constexpr double driven_price = 0.25;   // a length of path over finished sand, times the width
 constexpr double bare_price = 4;        // bare sand against sand raked twice
 constexpr double masked_price = 0.1;    // a pass, when what it rakes twice is lifted over
 constexpr double trial_cell = 1 / 8.0;  // the raster on which choices are tried
@@ -62,7 +63,8 @@ double waste(const Region& place, const std::vector<Ring>& rings, const Options&
     const rake::Account account = rake::account_of(
         {place}, moves, {.width = options.width, .pins = 1, .cell_share = trial_cell, .details = false});
     const double twice = options.masked ? masked_price * account.ratio : account.overdraw + account.spill;
-    return (bare_price * (1 - account.coverage) + twice) * area(place);
+    return (bare_price * (1 - account.coverage) + twice) * area(place) +
+           (options.masked ? 0 : driven_price * account.driven_over * options.width);
 }
 
 /// A tree of places as a list, parts behind what they are part of: insets may be thousands of levels deep.
