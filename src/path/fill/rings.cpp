@@ -23,11 +23,12 @@ constexpr double fine = 200,
                  coarse = 50;  // widths a tolerance: outlines are thinned, of very rough areas more
 constexpr std::size_t many_corners = 1000;
 constexpr double axis_thinning = 0.03;
-constexpr double hop_price = 0.6;       // area that a further piece must save: the way there is a hop
-constexpr double driven_price = 0.6;   // a length of path over finished sand, times the width
-constexpr double bare_price = 4;        // bare sand against sand raked twice
-constexpr double masked_price = 0.1;    // a pass, when what it rakes twice is lifted over
-constexpr double trial_cell = 1 / 8.0;  // the raster on which choices are tried
+constexpr double hop_price = 0.6;        // area that a further piece must save: the way there is a hop
+constexpr double driven_price = 0.6;     // a length of path over finished sand, times the width
+constexpr double bare_price = 4;         // bare sand against sand raked twice
+constexpr double masked_bare_price = 2;  // the same with pins: raked sand is lifted over
+constexpr double masked_price = 0.1;     // a pass, when what it rakes twice is lifted over
+constexpr double trial_cell = 1 / 8.0;   // the raster on which choices are tried
 constexpr double spine_thinning = 0.02;
 constexpr int most_trial_levels = 4;  // rings within a narrow place: with more the misfit is a small share
 constexpr int plain_levels = 1;       // with more, combs are tried only round a few holes
@@ -59,11 +60,12 @@ double waste(const Region& place, const std::vector<Ring>& rings, const Options&
         for (Polyline& pass : with_cut_corners(line, ring.closed, options))
             moves.push_back({std::move(pass), down});
     }
-    if (moves.empty()) return bare_price * area(place);
+    const double bare = options.masked ? masked_bare_price : bare_price;
+    if (moves.empty()) return bare * area(place);
     const rake::Account account = rake::account_of(
         {place}, moves, {.width = options.width, .pins = 1, .cell_share = trial_cell, .details = false});
     const double twice = options.masked ? masked_price * account.ratio : account.overdraw + account.spill;
-    return (bare_price * (1 - account.coverage) + twice) * area(place) +
+    return (bare * (1 - account.coverage) + twice) * area(place) +
            (options.masked ? 0 : driven_price * account.driven_over * options.width);
 }
 
@@ -189,7 +191,7 @@ class Nesting {
                 its += tooth_price * w_ * w_ * static_cast<double>(ring.teeth.size());
             // Each way to a further piece is a hop, but legs of a path lie beside each other.
             const auto further = static_cast<double>(paths.size()) - static_cast<double>(served_by);
-            its += hop_price * w_ * w_ * std::max(0.0, further);
+            if (!options_.masked) its += hop_price * w_ * w_ * std::max(0.0, further);
             if (its >= least) return;
             least = its;
             place.rings = std::move(rings);
