@@ -184,14 +184,17 @@ class Nesting {
         const Regions plain = simplified({place.sand}, axis_thinning * w_);
         if (plain.empty()) return;
         const std::vector<AxisPath> paths = axis_paths(plain[0], options_);
+        // Each way to a further piece is a hop, but legs of a path lie beside each other.
+        const auto further = static_cast<double>(paths.size()) - static_cast<double>(served_by);
+        const double hops = options_.masked ? 0 : hop_price * w_ * w_ * std::max(0.0, further);
+        if (hops >= least) return;
         const auto offer = [&](std::vector<Ring>&& rings) {
             if (rings.empty()) return;
-            double its = waste(place.sand, rings, options_);
+            double its = hops;
             for (const Ring& ring : rings)
                 its += tooth_price * w_ * w_ * static_cast<double>(ring.teeth.size());
-            // Each way to a further piece is a hop, but legs of a path lie beside each other.
-            const auto further = static_cast<double>(paths.size()) - static_cast<double>(served_by);
-            if (!options_.masked) its += hop_price * w_ * w_ * std::max(0.0, further);
+            if (its >= least) return;  // the trial is dear
+            its += waste(place.sand, rings, options_);
             if (its >= least) return;
             least = its;
             place.rings = std::move(rings);
@@ -205,11 +208,11 @@ class Nesting {
             offer(std::move(spines));
         }
         if (!combs) return;
-        for (const std::vector<AxisPath>& middle : {paths, straightened(paths, options_)}) {
-            offer(combed(plain[0], middle, place.level));
-            if (const auto legs = parted_at_bends(middle, options_); legs.size() > middle.size())
-                offer(combed(plain[0], legs, place.level));
-        }
+        offer(combed(plain[0], paths, place.level));
+        const std::vector<AxisPath> straight = straightened(paths, options_);
+        offer(combed(plain[0], straight, place.level));
+        if (const auto legs = parted_at_bends(straight, options_); legs.size() > straight.size())
+            offer(combed(plain[0], legs, place.level));
     }
 
     std::vector<Ring> combed(const Region& sand, const std::vector<AxisPath>& paths, int level) const {
