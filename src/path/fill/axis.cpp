@@ -9,11 +9,9 @@ namespace {
 // A branch that reaches beyond its junction's disc by less is a corner's: 0.41 of the radius at a right
 // corner.
 constexpr double corner_reach = 0.45;
-constexpr double least_reach = 0.35;    // of the width: nor is a shorter one worth a pass
-constexpr double axis_step = 0.2;       // of the width
-constexpr double bend_tolerance = 0.5;  // of the width: corners of a path as it looks from afar
-constexpr double least_bend = 0.6;      // rad
-constexpr double tangent_over = 0.5;    // of the width: the end of a path points as it does over this
+constexpr double least_reach = 0.35;  // of the width: nor is a shorter one worth a pass
+constexpr double axis_step = 0.2;     // of the width
+constexpr double tangent_over = 0.5;  // of the width: the end of a path points as it does over this
 
 struct Graph {
     const MedialAxis& axis;
@@ -221,19 +219,6 @@ std::vector<AxisPath> across(const Region& area, const MedialAxis& axis) {
              false}};
 }
 
-/// Where a path turns, as it looks from afar; not at its ends.
-std::vector<std::size_t> bends_of(const AxisPath& path, double width) {
-    Polyline line = path.line;
-    if (path.closed) line.push_back(line.front());
-    const std::vector<std::size_t> kept = strandline::thinned(line, bend_tolerance * width);
-    std::vector<std::size_t> bends;
-    for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
-        const Point in = line[kept[k]] - line[kept[k - 1]], out = line[kept[k + 1]] - line[kept[k]];
-        if (std::abs(std::atan2(cross(in, out), dot(in, out))) > least_bend) bends.push_back(kept[k]);
-    }
-    return bends;
-}
-
 }  // namespace
 
 std::optional<Reach> reach_from(std::span<const Region> area, Point from, Point along) {
@@ -288,51 +273,6 @@ std::vector<AxisPath> axis_paths(const Region& area, const Options& options) {
     std::ranges::stable_sort(
         paths, [](const AxisPath& a, const AxisPath& b) { return length(a.line) > length(b.line); });
     return paths;
-}
-
-std::vector<AxisPath> straightened(const std::vector<AxisPath>& paths, const Options& options) {
-    std::vector<AxisPath> straight;
-    for (const AxisPath& path : paths) {
-        AxisPath& plain = straight.emplace_back();
-        plain.closed = path.closed;
-        for (const std::size_t i : strandline::thinned(path.line, bend_tolerance * options.width)) {
-            plain.line.push_back(path.line[i]);
-            plain.radius.push_back(path.radius[i]);
-        }
-    }
-    return straight;
-}
-
-std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const Options& options) {
-    const double w = options.width;
-    std::vector<AxisPath> legs;
-    for (AxisPath path : paths) {
-        std::vector<std::size_t> bends = bends_of(path, w);
-        if (path.closed && !bends.empty()) {  // a loop begins at a bend
-            const auto first = static_cast<std::ptrdiff_t>(bends.front());
-            std::rotate(path.line.begin(), path.line.begin() + first, path.line.end());
-            std::rotate(path.radius.begin(), path.radius.begin() + first, path.radius.end());
-            bends = bends_of(path, w);
-        }
-        bends.insert(bends.begin(), 0);
-        Polyline line = path.line;
-        std::vector<double> radius = path.radius;
-        if (path.closed) line.push_back(line.front()), radius.push_back(radius.front());
-        bends.push_back(line.size() - 1);
-        if (bends.size() == 2) {
-            legs.push_back(path);
-            continue;
-        }
-        for (std::size_t k = 1; k < bends.size(); ++k) {
-            const auto from = static_cast<std::ptrdiff_t>(bends[k - 1]),
-                       to = static_cast<std::ptrdiff_t>(bends[k] + 1);
-            legs.push_back({{line.begin() + from, line.begin() + to},
-                            {radius.begin() + from, radius.begin() + to},
-                            false});
-        }
-    }
-    std::ranges::stable_sort(legs, std::greater{}, [](const AxisPath& leg) { return length(leg.line); });
-    return legs;
 }
 
 }  // namespace strandline::fill
