@@ -9,11 +9,9 @@ namespace {
 // A branch that reaches beyond its junction's disc by less is a corner's: 0.41 of the radius at a right
 // corner.
 constexpr double corner_reach = 0.45;
-constexpr double least_reach = 0.35;    // of the width: nor is a shorter one worth a pass
-constexpr double axis_step = 0.2;       // of the width
-constexpr double bend_tolerance = 0.5;  // of the width: corners of a path as it looks from afar
-constexpr double least_bend = 0.6;      // rad
-constexpr double tangent_over = 0.5;    // of the width: the end of a path points as it does over this
+constexpr double least_reach = 0.35;  // of the width: nor is a shorter one worth a pass
+constexpr double axis_step = 0.2;     // of the width
+constexpr double tangent_over = 0.5;  // of the width: the end of a path points as it does over this
 
 struct Graph {
     const MedialAxis& axis;
@@ -171,6 +169,13 @@ void cut_start(AxisPath& path) {
     const double r = path.radius.front();
     std::size_t i = 1;
     while (i + 1 < path.line.size() && distance(path.line[i], centre) < r) ++i;
+    const double inner = distance(path.line[i - 1], centre), outer = distance(path.line[i], centre);
+    if (outer > r) {  // where the chord leaves the disc, near enough: chords are short or begin in the centre
+        const double t = (r - inner) / (outer - inner);
+        --i;
+        path.line[i] = between(path.line[i], path.line[i + 1], t);
+        path.radius[i] += t * (path.radius[i + 1] - path.radius[i]);
+    }
     path.line.erase(path.line.begin(), path.line.begin() + static_cast<std::ptrdiff_t>(i));
     path.radius.erase(path.radius.begin(), path.radius.begin() + static_cast<std::ptrdiff_t>(i));
 }
@@ -185,7 +190,8 @@ void draw_on(AxisPath& path, const Region& area, double width) {
             break;
         }
     const Point on = normalized(path.line.back() - back);
-    if (const auto reach = reach_from(area, path.line.back(), on); reach && reach->forward < 2 * r + width) {
+    if (const auto reach = reach_from({&area, 1}, path.line.back(), on);
+        reach && reach->forward < 2 * r + width) {
         path.line.push_back(path.line.back() + reach->forward * on);
         path.radius.push_back(r);
     }
@@ -205,7 +211,7 @@ std::vector<AxisPath> across(const Region& area, const MedialAxis& axis) {
     for (std::size_t i = 0, j = area.outer.size() - 1; i < area.outer.size(); j = i++)
         if (const double d = distance(area.outer[j], area.outer[i]); d > longest * (1 + 1e-9))
             longest = d, along = normalized(area.outer[i] - area.outer[j]);
-    const auto reach = reach_from(area, widest->at, along);
+    const auto reach = reach_from({&area, 1}, widest->at, along);
     if (!reach) return {};
     const double r = widest->radius;
     return {{{widest->at - reach->backward * along, widest->at, widest->at + reach->forward * along},
@@ -215,7 +221,7 @@ std::vector<AxisPath> across(const Region& area, const MedialAxis& axis) {
 
 }  // namespace
 
-std::optional<Reach> reach_from(const Region& area, Point from, Point along) {
+std::optional<Reach> reach_from(std::span<const Region> area, Point from, Point along) {
     Reach reach{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     int ahead = 0;
     const auto ring = [&](const Polygon& polygon) {
@@ -230,8 +236,10 @@ std::optional<Reach> reach_from(const Region& area, Point from, Point along) {
                 std::min(t > 0 ? reach.forward : reach.backward, std::abs(t));
         }
     };
-    ring(area.outer);
-    for (const Polygon& hole : area.holes) ring(hole);
+    for (const Region& part : area) {
+        ring(part.outer);
+        for (const Polygon& hole : part.holes) ring(hole);
+    }
     if (ahead % 2 == 0 || !std::isfinite(reach.backward)) return std::nullopt;
     return reach;
 }
@@ -267,44 +275,6 @@ std::vector<AxisPath> axis_paths(const Region& area, const Options& options) {
     std::ranges::stable_sort(
         paths, [](const AxisPath& a, const AxisPath& b) { return length(a.line) > length(b.line); });
     return paths;
-}
-
-std::vector<AxisPath> parted_at_bends(const std::vector<AxisPath>& paths, const Region& area,
-                                      const Options& options) {
-    const double w = options.width;
-    std::vector<AxisPath> legs;
-    for (const AxisPath& path : paths) {
-        Polyline line = path.line;
-        std::vector<double> radius = path.radius;
-        if (path.closed) line.push_back(line.front()), radius.push_back(radius.front());
-        // The corners of the path as it looks from afar.
-        const std::vector<std::size_t> kept = strandline::thinned(line, bend_tolerance * w);
-        std::vector<std::size_t> bends{0};
-        for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
-            const Point in = line[kept[k]] - line[kept[k - 1]], out = line[kept[k + 1]] - line[kept[k]];
-            if (std::abs(std::atan2(cross(in, out), dot(in, out))) > least_bend) bends.push_back(kept[k]);
-        }
-        bends.push_back(line.size() - 1);
-        if (bends.size() == 2) {
-            legs.push_back(path);
-            continue;
-        }
-        for (std::size_t k = 1; k < bends.size(); ++k) {
-            const auto from = static_cast<std::ptrdiff_t>(bends[k - 1]),
-                       to = static_cast<std::ptrdiff_t>(bends[k] + 1);
-            AxisPath leg{{line.begin() + from, line.begin() + to},
-                         {radius.begin() + from, radius.begin() + to},
-                         false};
-            if (leg.line.size() < 2) continue;
-            if (k > 1 || path.closed) cut_start(leg);
-            if (leg.line.size() < 2) continue;
-            if (k + 1 < bends.size() || path.closed) {
-                draw_on(leg, area, w);
-            }
-            legs.push_back(std::move(leg));
-        }
-    }
-    return legs;
 }
 
 }  // namespace strandline::fill

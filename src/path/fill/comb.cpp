@@ -10,8 +10,12 @@ constexpr double tangent_over = 0.5;   // of the width, to both sides: the direc
 constexpr double last_share = 0.1;     // of the width: less sand at a comb's end gets no further tooth
 constexpr double smallest_step = 0.7;  // of the width: where the area widens at once the next ends lie apart
 constexpr double widest_excess = 0.8;  // of the width: less than the ring outside is wide
+constexpr int end_halvings = 5;
+constexpr double end_step =
+    0.1;  // of the width: where a comb begins beside another is looked for so, then halved
+constexpr double least_evened = 0.995, evening_slack = 0.003;
 constexpr int most_tries = 8;
-constexpr double shortest_tooth = 0.15;  // of the width
+constexpr double shortest_tooth = 0.08;  // of the width
 // How far a tooth may reach, of the radius and of the width: not down a side branch.
 constexpr double reach_of_radius = 1.35, reach_of_width = 0.35;
 constexpr double least_misfit = 0.06;  // of the width, along the outline: combs waste as much
@@ -58,7 +62,7 @@ class Spine {
     bool closed_;
 };
 
-std::optional<Polyline> tooth_at(const Region& area, const Spine& spine, double s, double w) {
+std::optional<Polyline> tooth_at(const Regions& area, const Spine& spine, double s, double w) {
     const Point t = normalized(spine.at(s + tangent_over * w) - spine.at(s - tangent_over * w));
     const Point c = spine.at(s), n = left_normal(t);
     const double most = reach_of_radius * spine.radius(s) + reach_of_width * w;
@@ -78,18 +82,77 @@ std::optional<Polyline> tooth_at(const Region& area, const Spine& spine, double 
     return Polyline{c - down * n, c + up * n};
 }
 
-/// As far on as the next tooth's ends are within a width of this one's.
-double step_from(const Region& area, const Spine& spine, double s, const Polyline& tooth, double w) {
-    double step = w;
+/// As far on as the next tooth's ends are within `most` of this one's.
+double step_from(const Regions& area, const Spine& spine, double s, const Polyline& tooth, double w,
+                 double most) {
+    double step = most;
     for (int i = 0; i < most_tries; ++i) {
         const auto next = tooth_at(area, spine, s + step, w);
-        if (!next) return w;
+        if (!next) return most;
         const double apart = std::max(distance(tooth[0], (*next)[0]), distance(tooth[1], (*next)[1]));
-        if (apart <= w) return step;
-        if (step <= smallest_step * w) return w;  // the area widens at once: no step is small enough
-        step = std::max(smallest_step * w, step * std::min(w / apart, 0.995));
+        if (apart <= most) return step;
+        if (step <= smallest_step * w) return most;  // the area widens at once: no step is small enough
+        step = std::max(smallest_step * w, step * std::min(most / apart, 0.995));
     }
     return step;
+}
+
+/// The part of an open spine that has a comb.
+struct Stretch {
+    double from, to;
+};
+
+/// From raked sand to raked sand: the ends of a spine lie a disc's radius off a path that it branches from.
+Stretch unraked_stretch(const Regions& unraked, const Spine& spine, double w) {
+    const double step = end_step * w;
+    const auto inside = [&](double s) { return contains(unraked, spine.at(s)); };
+    Stretch all{0, spine.length()};
+    while (all.from < all.to && !inside(all.from)) all.from += step;
+    while (all.from < all.to && !inside(all.to)) all.to -= step;
+    const double most = w + 2 * std::max(spine.radius(0), spine.radius(spine.length()));
+    while (all.from <= 0 && all.from > -most && inside(all.from - step)) all.from -= step;
+    while (all.to >= spine.length() && all.to < spine.length() + most && inside(all.to + step))
+        all.to += step;
+    const auto refined = [&](double in, double out) {
+        for (int i = 0; i < end_halvings; ++i) (inside((in + out) / 2) ? in : out) = (in + out) / 2;
+        return in;
+    };
+    if (all.from < all.to) {
+        all.from = refined(all.from, all.from - step);
+        all.to = refined(all.to, all.to + step);
+    }
+    return all;
+}
+
+struct Teeth {
+    std::vector<Polyline> lines;
+    double room = 1;  // what of the steps' sum is needed
+};
+
+Teeth teeth_along(const Regions& area, const Spine& spine, const Stretch& stretch, double w, double most) {
+    Teeth teeth;
+    const double begin = spine.closed() ? 0 : std::min(stretch.from + w / 2, (stretch.from + stretch.to) / 2);
+    const double end = spine.closed() ? spine.length() : stretch.to - w / 2;
+    for (double s = begin;;) {
+        const auto tooth = tooth_at(area, spine, s, w);
+        if (tooth) teeth.lines.push_back(*tooth);
+        const double left = end - s;
+        if (!spine.closed() && left < last_share * w) break;
+        const double next = s + (tooth ? step_from(area, spine, s, *tooth, w, most) : w);
+        if (next > end) teeth.room = (end - begin) / (next - begin);
+        if (spine.closed() && left < w * (1 + last_share)) break;
+        s = spine.closed() ? next : std::min(next, end);
+    }
+    return teeth;
+}
+
+/// Teeth with even steps: what one too many would rake twice is shared by all.
+std::vector<Polyline> even_teeth(const Regions& area, const Spine& spine, const Stretch& stretch, double w) {
+    Teeth teeth = teeth_along(area, spine, stretch, w, w);
+    if (teeth.room > least_evened) return std::move(teeth.lines);
+    Teeth even =
+        teeth_along(area, spine, stretch, w, std::max(smallest_step, teeth.room + evening_slack) * w);
+    return std::move(even.lines.size() <= teeth.lines.size() ? even.lines : teeth.lines);
 }
 
 }  // namespace
@@ -105,20 +168,16 @@ bool combs_may_pay(const Region& sand, int levels, double waste, double width) {
 std::vector<Comb> combs_of(const Region& area, const std::vector<AxisPath>& paths, const Options& options) {
     const double w = options.width;
     std::vector<Comb> combs;
+    Regions unraked{area};
     for (const AxisPath& path : paths) {
         const Spine spine(path);
-        Comb comb{path.line, {}};
-        const double end = spine.length() - (spine.closed() ? 0 : w / 2);
-        double s = spine.closed() ? 0 : std::min(w / 2, spine.length() / 2);
-        while (true) {
-            const auto tooth = tooth_at(area, spine, s, w);
-            if (tooth) comb.teeth.push_back(*tooth);
-            const double step = tooth ? step_from(area, spine, s, *tooth, w) : w;
-            const double left = end - s;
-            if (spine.closed() ? left < w * (1 + last_share) : left < last_share * w) break;
-            s = spine.closed() ? s + step : std::min(s + step, end);
-        }
-        if (!comb.teeth.empty()) combs.push_back(std::move(comb));
+        const Stretch whole{0, spine.length()};
+        const Stretch stretch = spine.closed() ? whole : unraked_stretch(unraked, spine, w);
+        if (stretch.to - stretch.from < last_share * w) continue;
+        Comb comb{path.line, even_teeth(unraked, spine, stretch, w)};
+        if (comb.teeth.empty()) continue;
+        if (&path != &paths.back()) unraked = subtracted(unraked, swept(comb.teeth, false, w / 2, Cap::flat));
+        combs.push_back(std::move(comb));
     }
     return combs;
 }

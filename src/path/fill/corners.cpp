@@ -9,9 +9,13 @@ namespace {
 
 constexpr double squarest =
     0.11;  // |cos| of the turn: beyond, the round wedge of a turn on the spot wastes less
-constexpr double shortest_edge = 0.98;  // of the width: what is left of an edge after a cut at both its ends
+constexpr double shortest_edge = 0.6;  // of the width: what is left of an edge after a cut at both its ends
 constexpr double shortest_masked = 0.25;  // the same where pins are lifted over raked sand
 constexpr double least_gap = 0.004;       // of width^2: what a turn on the spot may leave when there are pins
+constexpr double sharp_turn = 0.7;        // radians: flatter corners leave next to nothing
+constexpr double pointed_share = 0.6;     // of the way from the wedge to the tip
+constexpr double most_pointed = 0.25;     // of the width
+constexpr double pointed_along = 0.15;    // of the width: where the way to the drawn-on corner begins
 constexpr double longest_move = 0.99;     // of the width, from the end of one pass to the start of the next
 
 /// Without the points that lie on straight edges: an edge is as long as it looks.
@@ -74,6 +78,27 @@ std::vector<Polyline> with_cut_corners(const Polyline& whole, bool closed, const
     pass.push_back(seam ? line[n - 1] + seam->onward * normalized(line[n - 1] - line[n - 2]) : line[n - 1]);
     passes.push_back(std::move(pass));
     return passes;
+}
+
+Polygon with_pointed_corners(const Polygon& ring, const Options& options) {
+    if (!options.pivots || options.masked) return ring;
+    const double w = options.width;
+    Polygon pointed;
+    for (std::size_t n = ring.size(), i = 0; i < n; ++i) {
+        const Point before = ring[(i + n - 1) % n], corner = ring[i], after = ring[(i + 1) % n];
+        const Point in = normalized(corner - before), out = normalized(after - corner);
+        const double turn = std::atan2(cross(in, out), dot(in, out));
+        if (turn < sharp_turn || cut_corner(before, corner, after, options)) {
+            pointed.push_back(corner);
+            continue;
+        }
+        const double tip = (1 / std::cos(turn / 2) - 1) / 2;  // from the wedge to the tip, widths
+        const double on = std::min(pointed_share * tip, most_pointed) * w;
+        pointed.push_back(corner - std::min(pointed_along * w, distance(before, corner) / 3) * in);
+        pointed.push_back(corner + on * normalized(in - out));
+        pointed.push_back(corner + std::min(pointed_along * w, distance(corner, after) / 3) * out);
+    }
+    return pointed;
 }
 
 }  // namespace strandline::fill

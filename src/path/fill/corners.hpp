@@ -19,4 +19,10 @@ std::optional<Corner> cut_corner(Point before, Point corner, Point after, const 
 /// corner too, when one. O(points).
 std::vector<Polyline> with_cut_corners(const Polyline& line, bool closed, const Options& options);
 
+/// A ring whose sharp corners are drawn on towards the tip: the wedge that a turn on the spot sweeps then
+/// reaches further into what it leaves bare, and for the first stretch gains more than the sides rake twice.
+/// For rings that have a ring outside of them, or it would spill; the area is on the left. Corners that are
+/// cut stay. O(points).
+Polygon with_pointed_corners(const Polygon& ring, const Options& options);
+
 }  // namespace strandline::fill

@@ -16,6 +16,8 @@ namespace {
 constexpr double off_raked =
     0.045;                          // of the width: half the diagonal of the raster on which fills are judged
 constexpr double beyond_end = 0.3;  // of the width
+constexpr double bow_share =
+    1.5;  // of off_raked, in its middle: where less than two thirds of a way run nearer, none is a drive over
 
 using Neighbours = std::vector<std::vector<Contact>>;  // by ring; `second` is the other one
 
@@ -136,16 +138,28 @@ std::vector<std::vector<int>> chains_of(const std::vector<Ring>& rings, const Tr
     return chains;
 }
 
-/// Teeth whose ends meet raked sand stop a hair before it: the way to the next one runs along those ends.
-void keep_off_raked(std::vector<Polyline>& teeth, const Lattice& lattice, double width) {
-    for (Polyline& tooth : teeth) {
-        const Point along = normalized(tooth.back() - tooth.front());
-        if (distance(tooth.front(), tooth.back()) < 4 * off_raked * width) continue;
-        const bool start = is_raked(lattice, tooth.front() - beyond_end * width * along);
-        const bool end = is_raked(lattice, tooth.back() + beyond_end * width * along);
-        if (start) tooth.front() = tooth.front() + off_raked * width * along;
-        if (end) tooth.back() = tooth.back() - off_raked * width * along;
-    }
+/// Whether there is raked sand beyond a tooth's start and beyond its end.
+std::pair<bool, bool> meets_raked(const Polyline& tooth, const Lattice& lattice, double width) {
+    const Point beyond = beyond_end * width * normalized(tooth.back() - tooth.front());
+    return {is_raked(lattice, tooth.front() - beyond), is_raked(lattice, tooth.back() + beyond)};
+}
+
+/// The way from a tooth's end to the start of the next one beside it, where those ends meet raked sand: it
+/// bows off it, as far as that makes it no hop; where that is not far enough, both ends are drawn back a
+/// hair.
+Polyline way_off_raked(Polyline& tooth, Polyline& next, double width) {
+    const double apart = distance(tooth.back(), next.front());
+    if (apart > width) return {};
+    const Point along = normalized(tooth.back() - tooth.front());
+    const Point ahead = normalized(next.back() - next.front());
+    const double shorter =
+        std::min(distance(tooth.front(), tooth.back()), distance(next.front(), next.back())) / 2;
+    const double bow = std::min(std::sqrt(width * width - apart * apart) / 2, shorter);
+    const double back =
+        std::clamp(bow_share * off_raked * width - bow, 0.0, std::min(off_raked * width, shorter / 2));
+    tooth.back() = tooth.back() - back * along;
+    next.front() = next.front() + back * ahead;
+    return {between(tooth.back(), next.front(), 0.5) + bow * normalized(ahead - along)};
 }
 
 }  // namespace
@@ -184,10 +198,15 @@ std::vector<Pass> ring_passes(const Region& region, const std::string& place, co
         for (std::size_t i = 0; i < chain.size(); ++i) {
             bool joined = seams[i].stepped;
             std::vector<Polyline> lines = passes_along(*chain[i], seams[i], options);
-            if (!chain[i]->teeth.empty()) keep_off_raked(lines, lattice, options.width);
-            for (Polyline& line : lines) {
+            std::vector<std::pair<bool, bool>> meets;
+            if (!chain[i]->teeth.empty())
+                for (const Polyline& line : lines) meets.push_back(meets_raked(line, lattice, options.width));
+            for (std::size_t k = 0; k < lines.size(); ++k) {
+                Polyline& line = lines[k];
                 if (line.size() < 2) continue;
                 Polyline reach;
+                if (k > 0 && k < meets.size() && (meets[k - 1].second || meets[k].first))
+                    reach = way_off_raked(passes.back().line, line, options.width);
                 if (!joined && !passes.empty() &&
                     distance(passes.back().line.back(), line.front()) > options.width)
                     reach = way(lattice, passes.back().line.back(), line.front());

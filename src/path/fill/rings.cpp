@@ -23,9 +23,12 @@ constexpr double fine = 200,
                  coarse = 50;  // widths a tolerance: outlines are thinned, of very rough areas more
 constexpr std::size_t many_corners = 1000;
 constexpr double axis_thinning = 0.03;
-constexpr double bare_price = 2;        // bare sand against sand raked twice
-constexpr double masked_price = 0.1;    // a pass, when what it rakes twice is lifted over
-constexpr double trial_cell = 1 / 8.0;  // the raster on which choices are tried
+constexpr double hop_price = 0.6;        // area that a further piece must save: the way there is a hop
+constexpr double driven_price = 0.6;     // a length of path over finished sand, times the width
+constexpr double bare_price = 4;         // bare sand against sand raked twice
+constexpr double masked_bare_price = 2;  // the same with pins: raked sand is lifted over
+constexpr double masked_price = 0.1;     // a pass, when what it rakes twice is lifted over
+constexpr double trial_cell = 1 / 8.0;   // the raster on which choices are tried
 constexpr double spine_thinning = 0.02;
 constexpr int most_trial_levels = 4;  // rings within a narrow place: with more the misfit is a small share
 constexpr int plain_levels = 1;       // with more, combs are tried only round a few holes
@@ -57,11 +60,13 @@ double waste(const Region& place, const std::vector<Ring>& rings, const Options&
         for (Polyline& pass : with_cut_corners(line, ring.closed, options))
             moves.push_back({std::move(pass), down});
     }
-    if (moves.empty()) return bare_price * area(place);
+    const double bare = options.masked ? masked_bare_price : bare_price;
+    if (moves.empty()) return bare * area(place);
     const rake::Account account = rake::account_of(
         {place}, moves, {.width = options.width, .pins = 1, .cell_share = trial_cell, .details = false});
     const double twice = options.masked ? masked_price * account.ratio : account.overdraw + account.spill;
-    return (bare_price * (1 - account.coverage) + twice) * area(place);
+    return (bare * (1 - account.coverage) + twice) * area(place) +
+           (options.masked ? 0 : driven_price * account.driven_over * options.width);
 }
 
 /// A tree of places as a list, parts behind what they are part of: insets may be thousands of levels deep.
@@ -133,8 +138,12 @@ class Nesting {
         const Regions centre = places_[i].centre;  // places move when one is added
         const int level = places_[i].level;
         for (const Region& region : centre) {
-            places_[i].rings.push_back(ring_of(region.outer, level, true));
-            for (const Polygon& hole : region.holes) places_[i].rings.push_back(ring_of(hole, level, true));
+            const auto add_ring = [&](const Polygon& line) {
+                places_[i].rings.push_back(
+                    ring_of(level > 0 ? with_pointed_corners(line, options_) : line, level, true));
+            };
+            add_ring(region.outer);
+            for (const Polygon& hole : region.holes) add_ring(hole);
         }
         if (centre.empty() || level >= most_levels) return;
         for (Region& rest : sand_within(levels_, centre, level, options_))
@@ -168,17 +177,25 @@ class Nesting {
         const bool combs = options_.pivots && !options_.masked &&
                            (place.levels <= plain_levels || place.sand.holes.size() <= most_holes);
         if (!place.centre.empty() && !combs) return;
-        double least = waste(place.sand, served(i), options_);
+        const std::vector<Ring> plain_rings = served(i);
+        const std::size_t served_by = plain_rings.size();
+        double least = waste(place.sand, plain_rings, options_);
         if (least < 0.02 * area(place.sand)) return;
         const Regions plain = simplified({place.sand}, axis_thinning * w_);
         if (plain.empty()) return;
         if (!place.centre.empty() && !combs_may_pay(plain[0], place.levels, least, w_)) return;
         const std::vector<AxisPath> paths = axis_paths(plain[0], options_);
+        // Each way to a further piece is a hop, but legs of a path lie beside each other.
+        const auto further = static_cast<double>(paths.size()) - static_cast<double>(served_by);
+        const double hops = options_.masked ? 0 : hop_price * w_ * w_ * std::max(0.0, further);
+        if (hops >= least) return;
         const auto offer = [&](std::vector<Ring>&& rings) {
             if (rings.empty()) return;
-            double its = waste(place.sand, rings, options_);
+            double its = hops;
             for (const Ring& ring : rings)
                 its += tooth_price * w_ * w_ * static_cast<double>(ring.teeth.size());
+            if (its >= least) return;  // the trial is dear
+            its += waste(place.sand, rings, options_);
             if (its >= least) return;
             least = its;
             place.rings = std::move(rings);
@@ -193,7 +210,9 @@ class Nesting {
         }
         if (!combs) return;
         offer(combed(plain[0], paths, place.level));
-        if (const auto legs = parted_at_bends(paths, plain[0], options_); legs.size() > paths.size())
+        const std::vector<AxisPath> straight = straightened(paths, options_);
+        offer(combed(plain[0], straight, place.level));
+        if (const auto legs = parted_at_bends(straight, options_); legs.size() > straight.size())
             offer(combed(plain[0], legs, place.level));
     }
 
