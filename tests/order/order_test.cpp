@@ -11,7 +11,7 @@ Group line_group(int element, Point a, Point b, int pins = 1) {
     stroke.pins = pins;
     stroke.rake_path = {straight({a, heading(b - a)}, distance(a, b))};
     stroke.nodes = {{0, a, 0}, {distance(a, b), b, 1}};
-    return {{element, {stroke}}, "line " + std::to_string(element), {}, {}, {}};
+    return {.work = {element, {stroke}}, .name = "line " + std::to_string(element)};
 }
 
 Options options_for(const Robot& robot) {
@@ -66,6 +66,27 @@ TEST(Order, DubinsBoundsWhatIsDrivenFromBelow) {
     for (const Connection& c : answer->connections) driven += length(c.curve);
     EXPECT_GE(driven, answer->dubins - 1e-9);
     EXPECT_LT(driven, 1.2 * answer->dubins);
+}
+
+TEST(Order, AVariantIsTakenWhereItsOwnMetresAreFewerThanItSaves) {
+    const Robot plotter = *builtin_robot("plotter");
+    Options options;
+    options.connect.style = connect::Style::straight;
+    // From the start to an area that is raked away from it, or, for some metres more, towards the next line.
+    Group area = line_group(0, {4, 0}, {1, 0}), line = line_group(1, {5, 0}, {8, 0});
+    for (Group* group : {&area, &line})
+        for (Stroke& stroke : group->work.strokes) stroke.one_way = true;
+    std::vector<Stroke> other = line_group(0, {1, 0}, {4, 0}).work.strokes;
+    other[0].one_way = true;
+    for (const auto& [longer, expected] : {std::pair{5.0, 0}, std::pair{7.0, -1}}) {
+        area.variants = {{other, longer}};
+        Job job{{area, line}, {{0, 1}}, {}, Point{1, 0}};
+        const auto answer = ordered(job, plotter, options);
+        ASSERT_TRUE(answer);
+        // 3 m to the start and 4 m to the line, or 0 m and 1 m.
+        EXPECT_EQ(answer->variants, (std::vector<int>{expected, -1})) << longer;
+        EXPECT_NEAR(answer->straight, expected == 0 ? 1 : 4, 1e-9);
+    }
 }
 
 TEST(Order, StrokesThatTouchAreJoinedDirectlyAndStayTheirOwn) {

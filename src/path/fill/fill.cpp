@@ -15,6 +15,7 @@ constexpr double bare_share = 0.03;         // of the area: less is corners that
 constexpr double fine = 200;                // widths a tolerance: chords of the border
 constexpr std::size_t many_corners = 1000;  // of an outline that is thinned so too
 constexpr double rough = 0.02;              // of half the width: arcs where only areas are asked for
+constexpr double most_varied = 3000;        // widths driven: in a larger area the way to it hardly matters
 constexpr double least_run_out = 0.05, most_run_out = 0.8;  // of the width
 // Joints of a pass that turn less (radians) are a bend drawn by chords, where that bulges by less than the
 // tolerance.
@@ -144,6 +145,65 @@ void drive_out(Polyline& line, const Region& region, const Options& options) {
     }
 }
 
+double driven(const std::vector<Pass>& passes) {
+    double sum = 0;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        sum += length(passes[i].line);
+        if (i == 0) continue;
+        Polyline way{passes[i - 1].line.back()};
+        way.insert(way.end(), passes[i].way.begin(), passes[i].way.end());
+        way.push_back(passes[i].line.front());
+        sum += length(way);
+    }
+    return sum;
+}
+
+/// Starts and exits worth offering: towards the four sides of the area, alone and together.
+std::vector<Wish> wishes_for(const Region& region) {
+    std::vector<Point> sides;
+    for (const Point& ahead : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}})
+        sides.push_back(*std::ranges::max_element(region.outer, {}, [&](Point p) { return dot(p, ahead); }));
+    std::vector<Wish> wishes;
+    for (const Point& side : sides) wishes.push_back({{}, side});
+    for (const Point& side : sides) wishes.push_back({side, {}});
+    for (const Point& start : sides)
+        for (const Point& exit : sides) wishes.push_back({start, exit});
+    return wishes;
+}
+
+/// Passes -> strokes and ways.
+template <class Target>
+void put(std::vector<Pass> passes, int element, const Options& options, Target& target) {
+    for (Pass& pass : passes) {
+        target.strokes.push_back(stroke_of(pass.line, element, options));
+        target.ways.push_back(std::move(pass.way));
+    }
+}
+
+/// Offers what wishes lead to, where that is apart in start or exit from all that is there.
+void add_variants(const Region& region, int element, const Passes& planned, const Options& options,
+                  Fill& fill) {
+    const std::vector<Pass> first = planned({});
+    if (first.empty()) return;
+    const double length = driven(first);
+    if (length > most_varied * options.width) return;
+    std::vector<std::pair<Point, Point>> ends{{first.front().line.front(), first.back().line.back()}};
+    for (const Wish& wish : wishes_for(region)) {
+        if (static_cast<int>(fill.variants.size()) >= options.variants) return;
+        std::vector<Pass> passes = planned(wish);
+        const std::pair mine{passes.front().line.front(), passes.back().line.back()};
+        const auto same = [&](const auto& other) {
+            return distance(mine.first, other.first) <= options.width &&
+                   distance(mine.second, other.second) <= options.width;
+        };
+        if (std::ranges::any_of(ends, same)) continue;
+        ends.push_back(mine);
+        Variant variant{{}, {}, driven(passes) - length};
+        put(std::move(passes), element, options, variant);
+        fill.variants.push_back(std::move(variant));
+    }
+}
+
 }  // namespace
 
 Regions room_for_centre(const Region& region, const std::string& place, const Options& options,
@@ -161,20 +221,28 @@ Regions room_for_centre(const Region& region, const std::string& place, const Op
     return room;
 }
 
+rake::Account account_of(const Region& region, const std::vector<Stroke>& strokes,
+                         const std::vector<Polyline>& ways, const Options& options) {
+    const rake::Rake rake{options.width, options.pins, options.tolerance};
+    std::vector<rake::PinSpans> masks;
+    if (options.masked) masks = rake::pin_masks({region}, strokes, ways, rake);
+    return rake::account_of({region}, rake::moves_of(strokes, ways, masks, rake.pins, rake.tolerance),
+                            {.width = rake.width, .pins = rake.pins});
+}
+
 Fill fill_region(const Region& region, int element, const std::string& place, const Options& asked) {
     Options options = asked;
     if (options.one_stroke) options.pivots = false;  // a cut corner is a lift
     Fill fill;
     fill.area = area(region);
-    const auto passes_of = options.style == Style::zigzag   ? zigzag_passes
-                           : options.style == Style::spiral ? spiral_passes
-                                                            : ring_passes;
-    std::vector<Pass> passes = passes_of(region, place, options, fill);
+    const Passes passes_of = (options.style == Style::zigzag   ? zigzag_passes
+                              : options.style == Style::spiral ? spiral_passes
+                                                               : ring_passes)(region, place, options, fill);
     NarrowParts narrow = narrow_parts(region, options);
+    std::vector<Pass> passes = passes_of({});
     if (passes.empty() && narrow.arms.empty()) narrow = middle_part(region, options);
     say_narrow(narrow, place, options, fill);
     say_bare(region, narrow, place, options, fill);
-    if (options.narrow == Narrow::single_pass) passes = with_arms(std::move(passes), narrow, options);
     const auto served = [](const Arm& arm) { return !arm.line.empty(); };
     if (passes.empty() && std::ranges::none_of(narrow.arms, served)) {
         if (narrow.arms.empty()) ++fill.dropped_parts;  // else they are counted
@@ -182,22 +250,20 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
             {place, fmt::format("is narrower than the rake ({:.2g} m) or smaller than {} m2: not filled",
                                 options.width, options.min_area)});
     }
-    if (options.one_stroke) passes = in_one_stroke(std::move(passes));
-    if (options.masked && !options.pivots)  // else corners are cut
-        for (Pass& pass : passes) drive_out(pass.line, region, options);
-    for (Pass& pass : passes) {
-        fill.swept += length(pass.line) * options.width;
-        fill.strokes.push_back(stroke_of(pass.line, element, options));
-        fill.ways.push_back(std::move(pass.way));
-    }
-    if (options.account) {
-        const rake::Rake rake{options.width, options.pins, options.tolerance};
-        std::vector<rake::PinSpans> masks;
-        if (options.masked) masks = rake::pin_masks({region}, fill.strokes, fill.ways, rake);
-        fill.account = rake::account_of(
-            {region}, rake::moves_of(fill.strokes, fill.ways, masks, rake.pins, rake.tolerance),
-            {.width = rake.width, .pins = rake.pins});
-    }
+    const auto finished = [&](std::vector<Pass> made) {
+        if (options.narrow == Narrow::single_pass) made = with_arms(std::move(made), narrow, options);
+        if (options.one_stroke) made = in_one_stroke(std::move(made));
+        if (options.masked && !options.pivots)  // else corners are cut
+            for (Pass& pass : made) drive_out(pass.line, region, options);
+        return made;
+    };
+    passes = finished(std::move(passes));
+    for (const Pass& pass : passes) fill.swept += length(pass.line) * options.width;
+    put(std::move(passes), element, options, fill);
+    if (options.variants > 0)
+        add_variants(
+            region, element, [&](const Wish& wish) { return finished(passes_of(wish)); }, options, fill);
+    if (options.account) fill.account = account_of(region, fill.strokes, fill.ways, options);
     return fill;
 }
 

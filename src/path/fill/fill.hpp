@@ -57,16 +57,26 @@ struct Options {
     int pins = 7;          ///< written into the strokes
     bool masked = false;   ///< pins are lifted over raked sand and outside: passes may overlap and overshoot
     bool account = false;  ///< judge the fill too: as dear as the fill itself
+    int variants = 0;      ///< other starts and exits that are offered, at most; none of areas that take more
+                           ///< than 3,000 widths of driving
+};
+
+/// The same area begun or ended elsewhere: what comes before and after it decides which is shortest.
+struct Variant {
+    std::vector<Stroke> strokes;  ///< as those of Fill
+    std::vector<Polyline> ways;
+    double longer = 0;  ///< metres driven within the area beyond those of the fill itself, rake up and down
 };
 
 /// The fill of one region and its account.
 struct Fill {
     std::vector<Stroke>
         strokes;  ///< in the order they must be raked: inside to outside, border last; one_way, fill = true
-    std::vector<Polyline> ways;  ///< rake-up way to stroke i from the one before, over sand not yet raked;
-                                 ///< its ends left out, {}: straight
-    double area = 0;             ///< of the region, m^2
-    double swept = 0;            ///< stroke length x width, m^2
+    std::vector<Polyline> ways;     ///< rake-up way to stroke i from the one before, over sand not yet raked;
+                                    ///< its ends left out, {}: straight
+    std::vector<Variant> variants;  ///< start or exit more than a width from those of all others
+    double area = 0;                ///< of the region, m^2
+    double swept = 0;               ///< stroke length x width, m^2
     std::optional<rake::Account> account;  ///< where options ask for it
     int dropped_parts = 0;                 ///< smaller than min_area or narrower than the rake
     int skeletons_replaced = 0;            ///< 1: Euclidean insets instead of the skeleton's
@@ -84,5 +94,9 @@ Outcome<std::vector<Polyline>> cuts_of(const std::string& text, const std::strin
 /// Never fails: a region nothing fits into gives no strokes and a warning. `element` is written into the
 /// strokes; `place` names the region in warnings. O(n log n + passes).
 Fill fill_region(const Region& region, int element, const std::string& place, const Options& options);
+
+/// What those strokes leave, with pins that lift where options say so.
+rake::Account account_of(const Region& region, const std::vector<Stroke>& strokes,
+                         const std::vector<Polyline>& ways, const Options& options);
 
 }  // namespace strandline::fill

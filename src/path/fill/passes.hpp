@@ -1,5 +1,7 @@
 #pragma once
 // Private to the room: what the styles hand to fill_region.
+#include <functional>
+
 #include "path/fill/fill.hpp"
 
 namespace strandline::fill {
@@ -9,12 +11,16 @@ namespace strandline::fill {
 struct Pass {
     Polyline way, line;
 };
-std::vector<Pass> ring_passes(const Region& region, const std::string& place, const Options& options,
-                              Fill& account);
-std::vector<Pass> spiral_passes(const Region& region, const std::string& place, const Options& options,
-                                Fill& account);
-std::vector<Pass> zigzag_passes(const Region& region, const std::string& place, const Options& options,
-                                Fill& account);
+/// Where a fill is to begin and end, as near as that goes.
+struct Wish {
+    std::optional<Point> start, exit;
+};
+/// A fill, planned as far as no wish matters.
+using Passes = std::function<std::vector<Pass>(const Wish&)>;
+Passes ring_passes(const Region& region, const std::string& place, const Options& options, Fill& account);
+Passes spiral_passes(const Region& region, const std::string& place, const Options& options, Fill& account);
+Passes zigzag_passes(const Region& region, const std::string& place, const Options& options, Fill& account);
+inline std::vector<Pass> no_passes(const Wish&) { return {}; }
 
 /// Where the centre of a rake may be without any of it leaving the region: the inset by half the width,
 /// without parts that serve less than `min_area` (counted in `account`, and said).

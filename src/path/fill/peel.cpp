@@ -106,7 +106,8 @@ Tree by_levels(const std::vector<Ring>& rings) {
 
 /// Chains of rings that lead on to each other, in driving order: always the nearest leaf next, and on from
 /// ring to parent as long as that is free.
-std::vector<std::vector<int>> chains_of(const std::vector<Ring>& rings, const Tree& tree) {
+std::vector<std::vector<int>> chains_of(const std::vector<Ring>& rings, const Tree& tree,
+                                        std::optional<Point> start) {
     std::vector<int> children(rings.size(), 0);
     for (int p : tree.parent)
         if (p >= 0) ++children[static_cast<std::size_t>(p)];
@@ -126,6 +127,10 @@ std::vector<std::vector<int>> chains_of(const std::vector<Ring>& rings, const Tr
                 return least;
             };
             next = std::ranges::min_element(leaves, {}, away);
+        } else if (start) {
+            next = std::ranges::min_element(leaves, {}, [&](int leaf) {
+                return nearest(rings[static_cast<std::size_t>(leaf)], *start).distance;
+            });
         }
         std::vector<int> chain{*next};
         leaves.erase(next);
@@ -164,12 +169,12 @@ Polyline way_off_raked(Polyline& tooth, Polyline& next, double width) {
 
 }  // namespace
 
-Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice) {
+Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice, std::optional<Point> start) {
     const Tree tree = lattice.inside.empty()
                           ? by_levels(rings)
                           : fewest_leaves(rings, neighbours_of(rings.size(), contacts(lattice)));
     Peel peel;
-    for (const std::vector<int>& numbers : chains_of(rings, tree)) {
+    for (const std::vector<int>& numbers : chains_of(rings, tree, start)) {
         Chain chain;
         for (int r : numbers) chain.rings.push_back(&rings[static_cast<std::size_t>(r)]);
         if (const int parent = tree.parent[static_cast<std::size_t>(numbers.back())]; parent >= 0)
@@ -179,22 +184,15 @@ Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice) {
     return peel;
 }
 
-std::vector<Pass> ring_passes(const Region& region, const std::string& place, const Options& options,
-                              Fill& account) {
-    const Levels levels = levels_of(region, place, options, account);
-    if (levels.room.empty()) return {};
-    const std::vector<Ring> rings = rings_of(region, levels, options);
-    Lattice lattice = lattice_of(region, rings, options);
-    if (lattice.inside.empty())
-        account.warnings.push_back(
-            {place,
-             "is so large for so narrow a rake that ways between its rings are straight "
-             "and may cross raked sand; a smaller canvas or a wider rake avoids that"});
+namespace {
+
+/// The rings in the order of their peel, with the ways between. Marks the lattice.
+std::vector<Pass> raked(const std::vector<Ring>& rings, Lattice lattice, const Wish& wish,
+                        const Options& options) {
     std::vector<Pass> passes;
-    for (const auto& [chain, onward] : peel_of(rings, lattice)) {
-        std::optional<Point> here;
-        if (!passes.empty()) here = passes.back().line.back();
-        const std::vector<Seam> seams = seams_of(chain, onward, here, options);
+    for (const auto& [chain, onward] : peel_of(rings, lattice, wish.start)) {
+        const std::optional<Point> here = passes.empty() ? wish.start : passes.back().line.back();
+        const std::vector<Seam> seams = seams_of(chain, onward, here, wish.exit, options);
         for (std::size_t i = 0; i < chain.size(); ++i) {
             bool joined = seams[i].stepped;
             std::vector<Polyline> lines = passes_along(*chain[i], seams[i], options);
@@ -223,6 +221,23 @@ std::vector<Pass> ring_passes(const Region& region, const std::string& place, co
     }
     for (Pass& pass : passes) pass.line = rounded(pass.line, options.round_corners ? options.turn_radius : 0);
     return passes;
+}
+
+}  // namespace
+
+Passes ring_passes(const Region& region, const std::string& place, const Options& options, Fill& account) {
+    const Levels levels = levels_of(region, place, options, account);
+    if (levels.room.empty()) return no_passes;
+    std::vector<Ring> rings = rings_of(region, levels, options);
+    Lattice lattice = lattice_of(region, rings, options);
+    if (lattice.inside.empty())
+        account.warnings.push_back(
+            {place,
+             "is so large for so narrow a rake that ways between its rings are straight "
+             "and may cross raked sand; a smaller canvas or a wider rake avoids that"});
+    return [rings = std::move(rings), lattice = std::move(lattice), options](const Wish& wish) {
+        return raked(rings, lattice, wish, options);
+    };
 }
 
 }  // namespace strandline::fill

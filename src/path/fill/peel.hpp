@@ -12,7 +12,8 @@ struct Chain {
 };
 using Peel = std::vector<Chain>;
 /// The driving order: the reverse of a connected peel from the outside in, so whatever is not raked yet is
-/// one connected piece that holds the way out. O(contacts x degree).
-Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice);
+/// one connected piece that holds the way out. Begins with the leaf nearest to `start`, if there is one.
+/// O(contacts x degree).
+Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice, std::optional<Point> start);
 
 }  // namespace strandline::fill

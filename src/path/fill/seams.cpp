@@ -21,6 +21,7 @@ constexpr int samples = 24;    // places looked at along a ring
 constexpr int most_beside = 6;
 // What the joints cost, in widths of raked length.
 constexpr double step_cost = 0.35, lift_cost = 0.1, hop_cost = 2, way_cost = 0.05, bend_cost = 0.3;
+constexpr double exit_cost = 1;          // a width away from the exit that is wished for
 constexpr double slanted_bend_cost = 1;  // the same where a step leads along the next ring
 
 struct Place {
@@ -138,7 +139,7 @@ double joint_cost(const Ring& from, const Place& a, const Ring& to, const Place&
 }  // namespace
 
 std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* onward,
-                           std::optional<Point> from, const Options& options) {
+                           std::optional<Point> from, std::optional<Point> exit, const Options& options) {
     const std::size_t n = chain.size();
     std::vector<std::vector<Place>> places(n);
     std::vector<std::vector<double>> cost(n);
@@ -146,6 +147,9 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
     for (std::size_t i = 0; i < n; ++i) {
         const Ring* next = i + 1 < n ? chain[i + 1] : onward;
         places[i] = places_on(*chain[i], next, i > 0 ? places[i - 1] : std::vector<Place>{}, options);
+        const bool leaves = i + 1 == n && !onward && exit;
+        if (leaves && chain[i]->closed && chain[i]->teeth.empty())
+            places[i].push_back(smooth_place(*chain[i], nearest(*chain[i], *exit).s, options));
         cost[i].assign(places[i].size(), std::numeric_limits<double>::infinity());
         came[i].assign(places[i].size(), 0);
         for (std::size_t b = 0; b < places[i].size(); ++b) {
@@ -157,6 +161,7 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
                 if (total < cost[i][b]) cost[i][b] = total, came[i][b] = a;
             }
             cost[i][b] += here.cost;
+            if (leaves) cost[i][b] += exit_cost * distance(here.end, *exit) / options.width;
             if (i + 1 == n && onward)
                 cost[i][b] += way_cost * nearest(*onward, here.end).distance / options.width;
         }

@@ -15,9 +15,10 @@ struct Seam {
 /// Seams for rings that lead on to each other, so that few of the joints between them are hops: the cheapest
 /// choice over candidate places (cut corners, places beside the next ring, and what lies beside those of the
 /// ring before), by dynamic programming along the chain. `onward`: the ring at which a later chain goes on;
-/// null at the end. `from`: where the vehicle stands. O(rings x candidates x (candidates + corners)).
+/// null at the end. `from`: where the vehicle stands; `exit`: where it is to be at the end, if anywhere.
+/// O(rings x candidates x (candidates + corners)).
 std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* onward,
-                           std::optional<Point> from, const Options& options);
+                           std::optional<Point> from, std::optional<Point> exit, const Options& options);
 
 /// The ring's passes by its seam: one, or more where corners are cut.
 std::vector<Polyline> passes_along(const Ring& ring, const Seam& seam, const Options& options);

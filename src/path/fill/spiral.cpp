@@ -50,24 +50,15 @@ void revolve(Work& work, TurnedLine line, bool may_step, bool border, const Opti
     for (std::size_t k = 1; k < lasts.size(); ++k) go_on(work, std::move(lasts[k]), false, options);
 }
 
-}  // namespace
-
-std::vector<Pass> spiral_passes(const Region& region, const std::string& place, const Options& options,
-                                Fill& account) {
-    const Levels levels = levels_of(region, place, options, account);
-    if (levels.room.empty()) return {};
-    const std::vector<Ring> rings = rings_of(region, levels, options);
-    Work work{lattice_of(region, rings, options),
-              AreaIndex(inset({region}, (0.5 - floor_margin) * options.width)),
-              {}};
-    for (const auto& [chain, onward] : peel_of(rings, work.lattice)) {
+std::vector<Pass> wound(const std::vector<Ring>& rings, Work work, const Wish& wish, const Options& options) {
+    for (const auto& [chain, onward] : peel_of(rings, work.lattice, wish.start)) {
         bool may_step = false;  // within a chain only: elsewhere raked sand may lie between
         for (std::size_t i = 0; i < chain.size();) {
-            std::optional<Point> here;
-            if (!work.passes.empty()) here = work.passes.back().line.back();
+            const std::optional<Point> here =
+                work.passes.empty() ? wish.start : work.passes.back().line.back();
             if (!chain[i]->closed) {
                 const Ring* next = i + 1 < chain.size() ? chain[i + 1] : onward;
-                const Seam seam = seams_of({chain[i]}, next, here, options).front();
+                const Seam seam = seams_of({chain[i]}, next, here, wish.exit, options).front();
                 const bool spine = chain[i]->teeth.empty();
                 for (Polyline& line : passes_along(*chain[i], seam, options))
                     go_on(work, std::move(line), spine && may_step, options);
@@ -85,6 +76,20 @@ std::vector<Pass> spiral_passes(const Region& region, const std::string& place, 
         pass.line = without_duplicates(rounded(pass.line, options.round_corners ? options.turn_radius : 0),
                                        least_edge * options.width);
     return work.passes;
+}
+
+}  // namespace
+
+Passes spiral_passes(const Region& region, const std::string& place, const Options& options, Fill& account) {
+    const Levels levels = levels_of(region, place, options, account);
+    if (levels.room.empty()) return no_passes;
+    std::vector<Ring> rings = rings_of(region, levels, options);
+    Work work{lattice_of(region, rings, options),
+              AreaIndex(inset({region}, (0.5 - floor_margin) * options.width)),
+              {}};
+    return [rings = std::move(rings), work = std::move(work), options](const Wish& wish) {
+        return wound(rings, work, wish, options);
+    };
 }
 
 }  // namespace strandline::fill

@@ -35,6 +35,6 @@ Regions turned(Regions regions, double angle);
 
 /// Lines and border rings in an order in which the sand not yet raked stays connected, with the ways between.
 std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const std::vector<Ring>& borders,
-                         const Regions& room, const Options& options);
+                         const Regions& room, const Wish& wish, const Options& options);
 
 }  // namespace strandline::fill

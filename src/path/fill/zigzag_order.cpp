@@ -15,6 +15,7 @@ constexpr double leap = 1.2;          // along a line: the way to the next line 
 constexpr double dead_end_cost = 20;  // ending where no sand that is still to come is near
 constexpr double early_ring_cost =
     3;  // a border ring before a cell that reaches it: its turns would lie on the ring
+constexpr double exit_cost = 2;   // a metre away from the exit that is wished for, against a metre of way
 constexpr double turn_reach = 3;  // of the spacing: the longest raked turn
 
 /// A unit's way in: from its first line or its last, from the left or from the right; of a ring: the stop.
@@ -59,7 +60,7 @@ bool leads_on(const Plan& plan, const std::vector<bool>& done, int stop, int uni
 
 /// The cheapest entry of all that may be next.
 Entry next_entry(const Plan& plan, const std::vector<bool>& done, int left, int here, Router& router,
-                 const Options& options) {
+                 const Wish& wish, const Options& options) {
     const Ties ties = ties_of(plan, done);
     const auto may = [&](int u) {
         if (done[u]) return false;
@@ -75,6 +76,10 @@ Entry next_entry(const Plan& plan, const std::vector<bool>& done, int left, int 
             if (plan.units[u].ring)
                 entry.cost += early_ring_cost * options.width *
                               std::ranges::count_if(plan.neighbours[u], [&](int v) { return !done[v]; });
+            if (left == 1 && wish.exit)
+                entry.cost += exit_cost * distance(plan.corridors.stops[entry.end].at, *wish.exit);
+            if (here < 0 && wish.start)
+                entry.cost += distance(plan.corridors.stops[entry.stop].at, *wish.start);
             at_stop[entry.stop].push_back(entry);
         }
     }
@@ -215,14 +220,14 @@ void rake_cell(Plan& plan, const Entry& entry, Router& router, const Options& op
 }  // namespace
 
 std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const std::vector<Ring>& borders,
-                         const Regions& room, const Options& options) {
+                         const Regions& room, const Wish& wish, const Options& options) {
     Plan plan = planned(segments, borders, room, options);
     Router router(plan.corridors);
     Drive drive(room, options);
     std::vector<bool> done(plan.units.size(), false);
     int here = -1;
     for (int left = static_cast<int>(plan.units.size()); left > 0; --left) {
-        const Entry entry = next_entry(plan, done, left, here, router, options);
+        const Entry entry = next_entry(plan, done, left, here, router, wish, options);
         done[entry.unit] = true;
         const Unit& unit = plan.units[entry.unit];
         if (!unit.ring) {

@@ -88,9 +88,11 @@ Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& opti
 
     // Groups -> strokes in driving order, each with its rake path as driven.
     std::vector<Planned> planned;
-    for (const tour::Step& step : with_driven_senses(job, tour->steps, robot)) {
+    answer.variants.assign(job.groups.size(), -1);
+    for (const auto& [step, variant] : with_driven_senses(job, tour->steps, robot)) {
         const Group& group = job.groups[static_cast<std::size_t>(step.element)];
-        for (const Stroke& stroke : group.work.strokes) {
+        answer.variants[static_cast<std::size_t>(step.element)] = variant;
+        for (const Stroke& stroke : strokes_of(group, variant)) {
             const bool closed = is_single(group) && stroke.closed;
             const int index = static_cast<int>(answer.strokes.size());
             const int last = static_cast<int>(stroke.nodes.size()) - 1;

@@ -14,12 +14,18 @@
 
 namespace strandline::order {
 
+/// Another way to do a group's work, begun or ended elsewhere.
+struct Variant {
+    std::vector<Stroke> strokes;  ///< one way, in this order
+    double longer = 0;            ///< metres driven within it beyond those of the group's own strokes
+};
 /// One element's strokes and what a person asked of them. Closed single strokes are entered at any node; open
 /// ones at either end; the strokes of a fill keep their order and direction.
 struct Group {
     StrokeGroup work;
-    std::string name;          ///< for messages
-    std::optional<int> entry;  ///< fixed node of a closed stroke, or 0 / last of an open one
+    std::vector<Variant> variants = {};
+    std::string name = {};          ///< for messages
+    std::optional<int> entry = {};  ///< fixed node of a closed stroke, or 0 / last of an open one
     tour::Direction direction = tour::Direction::any;
     tour::Sense sense = tour::Sense::any;
 };
@@ -51,6 +57,7 @@ struct Connection {
 struct Ordered {
     std::vector<Stroke> strokes;  ///< in driving order
     std::vector<Entry> entries;   ///< one per stroke
+    std::vector<int> variants;    ///< by group: which was taken; -1: its own strokes
     std::vector<Leg> legs;        ///< end to end
     std::vector<Connection> connections;
     double straight = 0;  ///< m, rake centre, from stroke end to stroke start
@@ -62,9 +69,9 @@ struct Ordered {
     Warnings warnings;
 };
 
-/// Order by straight rake-up length (tour), then entries and senses along that order by Dubins length between
-/// robot poses (exact, dynamic programming), then every stroke driven and connected. Error: contradictory
-/// wishes, by name.
+/// Order by straight rake-up length (tour), then entries, senses and variants along that order by Dubins
+/// length between robot poses (exact, dynamic programming), then every stroke driven and connected. Error:
+/// contradictory wishes, by name.
 Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& options,
                          const Progress& progress = {});
 

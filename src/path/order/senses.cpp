@@ -12,8 +12,9 @@ constexpr std::size_t most_candidates = 24;
 
 /// One way to go through a group: where the robot stands before and after.
 struct Candidate {
-    tour::Step step;
+    Going going;
     Pose start, end;
+    double longer = 0;  ///< metres, within the group
 };
 
 /// The rake path's pose at arc length s; where two curves meet in a corner the incoming or the outgoing one.
@@ -36,11 +37,12 @@ Pose turned_about(Pose pose) { return {pose.at, pose.heading + pi}; }
 /// The robot straight in front of the rake.
 Pose robot_pose(Pose rake, double offset) { return {rake.at + offset * unit(rake.heading), rake.heading}; }
 
-Candidate candidate(const Group& group, tour::Step step, double offset) {
-    const Stroke& first = group.work.strokes.front();
-    const Stroke& last = group.work.strokes.back();
+Candidate candidate(const Group& group, const Going& going, double offset) {
+    const std::vector<Stroke>& strokes = strokes_of(group, going.variant);
+    const tour::Step& step = going.step;
+    const Stroke &first = strokes.front(), &last = strokes.back();
     Pose start, end;
-    if (first.closed && group.work.strokes.size() == 1) {
+    if (first.closed && strokes.size() == 1) {
         const double s = first.nodes[static_cast<std::size_t>(step.entry)].s;
         const Pose in = rake_pose(first, s, Side::incoming), out = rake_pose(first, s, Side::outgoing);
         start = step.reversed ? turned_about(in) : out;
@@ -50,7 +52,9 @@ Candidate candidate(const Group& group, tour::Step step, double offset) {
         start = step.reversed ? turned_about(b) : a;
         end = step.reversed ? turned_about(a) : b;
     }
-    return {step, robot_pose(start, offset), robot_pose(end, offset)};
+    const double longer =
+        going.variant < 0 ? 0 : group.variants[static_cast<std::size_t>(going.variant)].longer;
+    return {going, robot_pose(start, offset), robot_pose(end, offset), longer};
 }
 
 bool is_tied(const Job& job, int group) {
@@ -71,10 +75,13 @@ std::vector<Candidate> candidates(const Job& job, const tour::Step& step, double
     const Stroke& first = group.work.strokes.front();
     const bool single = group.work.strokes.size() == 1;
     const bool fixed_place = group.entry.has_value() || is_tied(job, step.element);
-    std::vector<Candidate> found{candidate(group, step, offset)};
+    std::vector<Candidate> found{candidate(group, {step}, offset)};
     const auto consider = [&](tour::Step other) {
-        if (!(other == step)) found.push_back(candidate(group, other, offset));
+        if (!(other == step)) found.push_back(candidate(group, {other}, offset));
     };
+    if (!fixed_place)
+        for (std::size_t k = 0; k < group.variants.size(); ++k)
+            found.push_back(candidate(group, {step, static_cast<int>(k)}, offset));
     if (single && first.closed) {
         const bool fixed_sense = group.sense != tour::Sense::any || first.one_way;
         for (int node : fixed_place ? std::vector<int>{step.entry} : nodes_to_try(first, step.entry))
@@ -89,26 +96,31 @@ std::vector<Candidate> candidates(const Job& job, const tour::Step& step, double
 
 }  // namespace
 
-std::vector<tour::Step> with_driven_senses(const Job& job, const std::vector<tour::Step>& steps,
-                                           const Robot& robot) {
-    if (steps.empty()) return steps;
+const std::vector<Stroke>& strokes_of(const Group& group, int variant) {
+    return variant < 0 ? group.work.strokes : group.variants[static_cast<std::size_t>(variant)].strokes;
+}
+
+std::vector<Going> with_driven_senses(const Job& job, const std::vector<tour::Step>& steps,
+                                      const Robot& robot) {
+    if (steps.empty()) return {};
     const auto cost = [&](Pose from, Pose to) {
         return robot.min_radius > 0 ? dubins_length(from, to, robot.min_radius) : distance(from.at, to.at);
     };
     std::vector<std::vector<Candidate>> ways;
     for (const tour::Step& step : steps) ways.push_back(candidates(job, step, robot.rake_offset));
     std::vector<std::vector<std::size_t>> came_from(ways.size());
-    std::vector<double> best(ways[0].size(), 0);
-    if (job.start)
-        for (std::size_t j = 0; j < best.size(); ++j) best[j] = distance(*job.start, ways[0][j].start.at);
+    std::vector<double> best;
+    for (const Candidate& way : ways[0])
+        best.push_back(way.longer + (job.start ? distance(*job.start, way.start.at) : 0));
     for (std::size_t k = 1; k < ways.size(); ++k) {
         std::vector<double> next(ways[k].size(), std::numeric_limits<double>::infinity());
         came_from[k].assign(ways[k].size(), 0);
         for (std::size_t j = 0; j < ways[k].size(); ++j)
             for (std::size_t i = 0; i < ways[k - 1].size(); ++i) {
                 // A straight gap bounds the Dubins length from below: most pairs need not be solved.
-                if (best[i] + distance(ways[k - 1][i].end.at, ways[k][j].start.at) >= next[j]) continue;
-                const double sum = best[i] + cost(ways[k - 1][i].end, ways[k][j].start);
+                const double so_far = best[i] + ways[k][j].longer;
+                if (so_far + distance(ways[k - 1][i].end.at, ways[k][j].start.at) >= next[j]) continue;
+                const double sum = so_far + cost(ways[k - 1][i].end, ways[k][j].start);
                 if (sum < next[j]) {
                     next[j] = sum;
                     came_from[k][j] = i;
@@ -117,9 +129,9 @@ std::vector<tour::Step> with_driven_senses(const Job& job, const std::vector<tou
         best = std::move(next);
     }
     std::size_t at = static_cast<std::size_t>(std::ranges::min_element(best) - best.begin());
-    std::vector<tour::Step> chosen(steps.size());
+    std::vector<Going> chosen(steps.size());
     for (std::size_t k = ways.size(); k-- > 0;) {
-        chosen[k] = ways[k][at].step;
+        chosen[k] = ways[k][at].going;
         if (k > 0) at = came_from[k][at];
     }
     return chosen;

@@ -214,7 +214,7 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     if (const auto bearable = not_too_long(strokes.groups, options); !bearable)
         return tl::unexpected(bearable.error());
     order::Job job;
-    job.groups = std::move(strokes.groups);
+    job.groups = strokes.groups;
     job.start = drawing->start;
     if (options.tour.has_start) job.start = Point{options.tour.start_x, options.tour.start_y};
     job.batches = pipeline::batches_of(job.groups, *drawing);
@@ -236,15 +236,16 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     plan.samples =
         trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});
     const Warnings unlifted = pipeline::lift_pins(plan.samples, ordered->strokes, *drawing, robot, options);
+    pipeline::Fills fills = pipeline::account_for(strokes, ordered->variants, *drawing, progress);
     plan.drawing = std::move(*drawing);
-    plan.figures.fill_area = strokes.fills.area;
-    plan.figures.fill_swept = strokes.fill_swept;
-    plan.figures.fill_coverage = strokes.fills.coverage;
-    plan.figures.fill_overdraw = strokes.fills.overdraw;
-    plan.figures.fill_spill = strokes.fills.spill;
-    plan.figures.fill_hops = strokes.fills.hops;
-    plan.figures.fill_drives_over = strokes.fills.drives_over;
-    plan.bare = std::move(strokes.bare);
+    plan.figures.fill_area = fills.account.area;
+    plan.figures.fill_swept = fills.swept;
+    plan.figures.fill_coverage = fills.account.coverage;
+    plan.figures.fill_overdraw = fills.account.overdraw;
+    plan.figures.fill_spill = fills.account.spill;
+    plan.figures.fill_hops = fills.account.hops;
+    plan.figures.fill_drives_over = fills.account.drives_over;
+    plan.bare = std::move(fills.bare);
     plan.figures.fallbacks = strokes.fallbacks + static_cast<int>(unlifted.size());
     take_account(plan, *ordered);
     add(plan.warnings, document.warnings);

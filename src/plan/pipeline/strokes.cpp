@@ -24,6 +24,8 @@ constexpr double most_nodes = 64;
 constexpr double default_spacing = 0.95;
 // With fewer pins that lift, a pin less would be much less than the rake.
 constexpr int many_pins = 5;
+constexpr int variants_offered =
+    8;  // of an area's starts and exits, beside the one that is shortest in itself
 
 Point point_along(const std::vector<Curve>& curves, double s) {
     for (const Curve& curve : curves) {
@@ -105,7 +107,7 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
     o.border = f.border;
     o.narrow = *fill::named<fill::Narrow>(f.narrow, "fill.narrow");
     o.tolerance = options.drawing.tolerance;
-    o.account = true;
+    o.variants = variants_offered;
     // The rake can follow radii above its offset, but the nearer to it the more the bar stands skew: at 1.5 L
     // by 42 degrees, and the groove is a quarter narrower.
     o.turn_radius = robot.min_radius > 0 && !robot.can_pivot ? 1.5 * robot.rake_offset : 0;
@@ -126,7 +128,8 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
         progress.report("filling", static_cast<double>(i) / static_cast<double>(drawing.elements.size()));
         const Element& element = drawing.elements[i];
         const int index = static_cast<int>(i);
-        order::Group group{{index, {}}, element.id, {}, {}, {}};
+        order::Group group{.work = {index, {}}, .name = element.id};
+        std::optional<Filled> own;
         if (const auto* line = std::get_if<LineElement>(&element.what)) {
             Stroke stroke;
             stroke.element = index;
@@ -148,25 +151,45 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
                      fmt::format("{}: no cut is made; {}", cuts.error().reason, cuts.error().remedy)});
             fill::Fill filled =
                 fill::fill_region(std::get<RegionElement>(element.what).region, index, element.id, filling);
-            strokes.fill_swept += filled.swept;
-            for (const rake::Gap& gap : filled.account->gaps)
-                strokes.bare.push_back({element.id, gap.at, gap.area});
-            strokes.fills = joined(std::move(strokes.fills), *filled.account);
             strokes.fallbacks += static_cast<int>(filled.warnings.size());
             strokes.warnings.insert(strokes.warnings.end(), filled.warnings.begin(), filled.warnings.end());
-            for (Stroke& stroke : filled.strokes) {
-                stroke.pins = robot.pins;
-                group.work.strokes.push_back(std::move(stroke));
+            group.work.strokes = std::move(filled.strokes);
+            own = Filled{std::move(filling), {std::move(filled.ways)}};
+            for (fill::Variant& variant : filled.variants) {
+                group.variants.push_back({std::move(variant.strokes), variant.longer});
+                own->ways.push_back(std::move(variant.ways));
             }
         }
         if (group.work.strokes.empty())
             strokes.warnings.push_back({element.id, "nothing of it can be raked; it is left out"});
         else
-            strokes.groups.push_back(std::move(group));
+            strokes.groups.push_back(std::move(group)), strokes.filled.push_back(std::move(own));
     }
-    std::ranges::stable_sort(strokes.bare, std::greater{}, &Spot::amount);
     progress.report("filling", 1);
     return strokes;
+}
+
+Fills account_for(const Strokes& strokes, const std::vector<int>& variants, const Drawing& drawing,
+                  const Progress& progress) {
+    Fills fills;
+    for (std::size_t i = 0; i < strokes.groups.size(); ++i) {
+        progress.report("accounting", static_cast<double>(i) / static_cast<double>(strokes.groups.size()));
+        if (!strokes.filled[i]) continue;
+        const auto& [options, ways] = *strokes.filled[i];
+        const order::Group& group = strokes.groups[i];
+        const int variant = variants[i];
+        const std::vector<Stroke>& driven =
+            variant < 0 ? group.work.strokes : group.variants[static_cast<std::size_t>(variant)].strokes;
+        const Element& element = drawing.elements[static_cast<std::size_t>(group.work.element)];
+        const rake::Account account = fill::account_of(std::get<RegionElement>(element.what).region, driven,
+                                                       ways[static_cast<std::size_t>(variant + 1)], options);
+        for (const Stroke& stroke : driven) fills.swept += length(stroke.rake_path) * options.width;
+        for (const rake::Gap& gap : account.gaps) fills.bare.push_back({element.id, gap.at, gap.area});
+        fills.account = joined(std::move(fills.account), account);
+    }
+    std::ranges::stable_sort(fills.bare, std::greater{}, &Spot::amount);
+    progress.report("accounting", 1);
+    return fills;
 }
 
 }  // namespace strandline::pipeline
