@@ -3,12 +3,14 @@
 
 Measures what the program makes, from outside, by its commands. Two columns where a judge has cases of its own: the judge's cases and fresh
 seeded ones made here, so that nothing is tuned to the first. Without the judges' folder only the second column is filled, by the checks in
-this file. Sections: drawings, clipart, svg, tour, connect, fill, convert, and fill-pictures, which writes docs/fill. Needs python3; the judges need numpy and shapely.
+this file. Sections: drawings, clipart, svg, tour, connect, fill, fill-vehicles, convert, and
+fill-pictures, which writes docs/fill. Needs python3; the judges need numpy and shapely.
 """
 import argparse, json, math, random, statistics, subprocess, tempfile, time
 from pathlib import Path
 
 import fill as fill_table
+import vehicles
 from harness import peak_mb, percent, run, table
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -211,10 +213,14 @@ def connect(program, shared, folder, n=10000):
     table(f"Connect: {n} pairs, R = 1 (time holds reading and writing the samples)", ["pairs", "sigma R^2", "end curvatures", "violations", "length / Dubins p50", "p95", "mean", "us a pair"], rows)
 
 
-# ---- fill: bench/fill.py --------------------------------------------------------------------------------------
+# ---- fill: bench/fill.py, bench/vehicles.py --------------------------------------------------------------------------------------
 
 def fill(program, shared, folder):
     fill_table.report(program, shared, folder, EVERYTHING)
+
+
+def fill_vehicles(program, shared, folder):
+    vehicles.report(program, shared, EVERYTHING)
 
 
 def fill_pictures(program, shared, folder):
@@ -255,7 +261,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
     parser.add_argument("--shared", default=ROOT.parent / "shared", type=Path)
-    parser.add_argument("--only", default="drawings,clipart,svg,tour,connect,fill,convert")
+    parser.add_argument("--only", default="drawings,clipart,svg,tour,connect,fill,fill-vehicles,convert")
     parser.add_argument("--all", action="store_true", help="fill: more fresh shapes, every shape turned and scaled, 1,000 random regions")
     parser.add_argument("--agreement", help="the program that draws beside librsvg")
     arguments = parser.parse_args()
