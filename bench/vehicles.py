@@ -1,8 +1,9 @@
 """The fill-vehicles section of the bench: the shapes of the fill tables as drawings that beachbot drives, with and without turns on the spot.
 
-A shape becomes an SVG of one black area, so large that its rake is beachbot's, and goes through plan and check. What is raked is measured from
-the plan's samples alone (tracks_of, raked), and shares nothing with the program: cells of w/16, time, travel and passes as the fill judge counts
-them, but of true pins: across the heading at the rake's centre, not across the path. Needs numpy.
+A shape becomes an SVG of one black area, so large that its rake is beachbot's, and goes through plan and check. What is raked
+is measured from the plan's samples alone (tracks_of, raked) and shares nothing with the program: cells of w/24,
+passes as the fill judge counts them, but of true pins, which stand across the heading at the rake's centre, not
+across its path. Needs numpy.
 """
 import json, math
 from dataclasses import dataclass
@@ -13,7 +14,8 @@ from harness import run, table
 
 RAKE, PINS = 0.42, 7  # metres; beachbot's
 MARGIN = 0.5  # metres of canvas round the shape
-CELLS = 16  # a rake width
+CELLS = 24  # a rake width
+TURN = 0.5  # radians from the drawing's axes to the cells': edges along rows of cells would all be rounded to one side
 VEHICLES = {"beachbot without turns on the spot (its profile)": [],
             "beachbot with turns on the spot": ["--set", "robot.can_pivot=on"]}
 SHOWN = ("coverage", "overdraw", "spill")
@@ -21,14 +23,14 @@ SHOWN = ("coverage", "overdraw", "spill")
 
 @dataclass
 class Driven:
-    """of one shape and vehicle; areas are shares of the shape's, lengths in metres of the rake's centre"""
+    """of one shape and vehicle; areas are shares of the shape's"""
     wrong: str = ""
     coverage: float = math.nan
     overdraw: float = math.nan
     spill: float = math.nan
     planned: float = math.nan  # E as the plan states it for strokes that are followed exactly
     ratio: float = math.nan  # metres with any pin down x width / area
-    up: float = math.nan  # connections, corner loops and their leads
+    up: float = math.nan  # metres of the turning point in connections, corner loops and leads
     loops: int = 0
     hops: int = 0
     faults: int = 0
@@ -117,34 +119,34 @@ def area_of(rings, cell, columns, rows):
     return (np.cumsum(crossings, 1)[:, :-1] % 2 == 1).ravel()
 
 
-def raked(plan, rings, width, height):
+def raked(plan, rings):
     """-> Driven without what check states"""
     import numpy as np
     quads, when, travel, mask, motion = tracks_of(plan)
-    # the canvas and a width round it, so that what is raked outside has cells, too
-    rings, quads = [np.asarray(r) + RAKE for r in rings], quads + RAKE
-    cell = RAKE / CELLS
-    columns, rows = (math.ceil((side + 2 * MARGIN + 2 * RAKE) / cell) for side in (width, height))
-    inside = area_of(rings, cell, columns, rows)
-    which, at = cells_under(quads, cell, columns)
+    cell, turn = RAKE / CELLS, np.array([[math.cos(TURN), -math.sin(TURN)], [math.sin(TURN), math.cos(TURN)]])
+    rings, quads = [np.asarray(r) @ turn.T for r in rings], quads @ turn.T
+    corners = np.concatenate([*rings, quads.reshape(-1, 2)])
+    shift = corners.min(0) - cell
+    columns, rows = np.ceil((corners.max(0) - shift) / cell).astype(int) + 1
+    inside = area_of([r - shift for r in rings], cell, columns, rows)
+    which, at = cells_under(quads - shift, cell, columns)
     order = np.lexsort((when[which], at))
     at, time = at[order], when[which][order]
     again = (at[1:] == at[:-1]) & (time[1:] - time[:-1] > RAKE)  # more than one width of travel, as the judge counts
     area = inside.sum()
     touched = np.unique(at)
-    step = np.diff(travel)
-    moved = motion[:-1]
-    begins = lambda flags: np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(int)))
-    loops = len(begins(moved == "loop")) // 2
-    up = begins(mask[:-1] == 0).reshape(-1, 2)
-    centre = np.stack([column(plan["samples"], "rake_x"), column(plan["samples"], "rake_y")], 1)
-    hops = sum(math.dist(centre[a], centre[b]) > RAKE for a, b in up if a and b < len(step))
+    step, down = np.diff(travel), mask[:-1] != 0
+    runs = lambda flags: np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(int))).reshape(-1, 2)
+    turning, centre = (np.stack([column(plan["samples"], name) for name in names], 1) for names in (("x", "y"), ("rake_x", "rake_y")))
+    up = motion[:-1] != "draw"
+    hops = sum(math.dist(centre[a], centre[b]) > RAKE for a, b in runs(~down) if a and b < len(step))
     stated = plan["figures"]
     if abs(area * cell * cell / stated["fill_area"] - 1) > 0.01:
         return Driven(wrong=f"{area * cell * cell:.2f} m^2 drawn, {stated['fill_area']:.2f} planned")
     return Driven(coverage=inside[touched].sum() / area, overdraw=again.sum() / area, spill=(~inside[touched]).sum() / area,
                   planned=1 - stated["fill_coverage"] + stated["fill_overdraw"] + stated["fill_spill"],
-                  ratio=step[mask[:-1] != 0].sum() * RAKE / (area * cell * cell), up=step[moved != "draw"].sum(), loops=loops, hops=int(hops))
+                  ratio=step[down].sum() * RAKE / (area * cell * cell), up=np.hypot(*np.diff(turning, axis=0)[up].T).sum(),
+                  loops=len(runs(motion[:-1] == "loop")), hops=int(hops))
 
 
 def drive(job):
@@ -155,7 +157,7 @@ def drive(job):
                                  "--set", "place.positioned=on", "--set", f"place.x={MARGIN}m", "--set", f"place.y={MARGIN}m",
                                  *settings], stdin=svg_of(rings, width, height), timeout=120)
     if code != 0: return Driven(wrong="hang" if code is None else f"exit {code}: {err.strip()[:80]}")
-    result = raked(json.loads(text), rings, width, height)
+    result = raked(json.loads(text), rings)
     report = json.loads(run([program, "check", "-", "--json"], stdin=text)[1])
     result.faults, result.over = len(report["faults"]), report["driven_over"]
     result.checked = tuple(report[name] for name in SHOWN)
