@@ -213,7 +213,7 @@ def connect(program, shared, folder, n=10000):
     table(f"Connect: {n} pairs, R = 1 (time holds reading and writing the samples)", ["pairs", "sigma R^2", "end curvatures", "violations", "length / Dubins p50", "p95", "mean", "us a pair"], rows)
 
 
-# ---- fill: bench/fill.py, bench/vehicles.py --------------------------------------------------------------------------------------
+# ---- fill: bench/fill.py, bench/vehicles.py ------------------------------------------------------------------
 
 def fill(program, shared, folder):
     fill_table.report(program, shared, folder, EVERYTHING)

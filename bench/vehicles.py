@@ -1,7 +1,7 @@
 """The fill-vehicles section of the bench: the shapes of the fill tables as drawings that beachbot drives, with and without turns on the spot.
 
 A shape becomes an SVG of one black area, so large that its rake is beachbot's, and goes through plan and check. What is raked
-is measured from the plan's samples alone (tracks_of, raked) and shares nothing with the program: cells of w/24,
+is measured from the plan's samples alone (tracks_of, raked) and shares nothing with the program: cells of w/16,
 passes as the fill judge counts them, but of true pins, which stand across the heading at the rake's centre, not
 across its path. Needs numpy.
 """
@@ -14,7 +14,7 @@ from harness import run, table
 
 RAKE, PINS = 0.42, 7  # metres; beachbot's
 MARGIN = 0.5  # metres of canvas round the shape
-CELLS = 24  # a rake width
+CELLS = 16  # a rake width
 TURN = 0.5  # radians from the drawing's axes to the cells': edges along rows of cells would all be rounded to one side
 VEHICLES = {"beachbot without turns on the spot (its profile)": [],
             "beachbot with turns on the spot": ["--set", "robot.can_pivot=on"]}
