@@ -1,9 +1,8 @@
-"""The fill-vehicles section of the bench: the shapes of the fill tables as drawings that beachbot drives, with and without turns on the spot.
+"""The fill-vehicles section of the bench: the shapes of the fill tables, as beachbot drives them.
 
-A shape becomes an SVG of one black area, so large that its rake is beachbot's, and goes through plan and check. What is raked
-is measured from the plan's samples alone (tracks_of, raked) and shares nothing with the program: cells of w/16,
-passes as the fill judge counts them, but of true pins, which stand across the heading at the rake's centre, not
-across its path. Needs numpy.
+A shape becomes an SVG of one black area, so large that its rake is beachbot's, and goes through plan and check.
+What is raked is measured from the plan's samples alone (tracks_of, shares): cells of w/16, passes as the fill
+judge counts them, but of true pins, across the heading at the rake's centre, not across its path. Needs numpy.
 """
 import json, math
 from dataclasses import dataclass
@@ -12,12 +11,12 @@ from multiprocessing import Pool
 from fill import CORES, LARGE, cases_of, median
 from harness import run, table
 
-RAKE, PINS = 0.42, 7  # metres; beachbot's
+RAKE = 0.42  # metres: beachbot's 7 pins
 MARGIN = 0.5  # metres of canvas round the shape
 CELLS = 16  # a rake width
-TURN = 0.5  # radians from the drawing's axes to the cells': edges along rows of cells would all be rounded to one side
+TURN = 0.5  # radians, of the cells against the drawing: edges along rows would be rounded to one side
 VEHICLES = {"beachbot without turns on the spot (its profile)": [],
-            "beachbot with turns on the spot": ["--set", "robot.can_pivot=on"]}
+            "beachbot with turns on the spot": ["robot.can_pivot=on"]}
 SHOWN = ("coverage", "overdraw", "spill")
 
 
@@ -41,7 +40,7 @@ class Driven:
     def error(self): return 1 - self.coverage + self.overdraw + self.spill
 
 
-# ---- the drawing -------------------------------------------------------------------------------------------------
+# ---- the drawing ------------------------------------------------------------------------------------------
 
 def placed(case):
     """-> rings in metres, y up, lower left corner at (MARGIN, MARGIN), and the box's size"""
@@ -54,12 +53,14 @@ def placed(case):
 
 
 def svg_of(rings, width, height):
-    outline = " ".join("M " + " ".join(f"{x - MARGIN:.7f},{height + MARGIN - y:.7f}" for x, y in r) + " Z" for r in rings)
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{1000 * width:.4f}mm" height="{1000 * height:.4f}mm" '
-            f'viewBox="0 0 {width:.7f} {height:.7f}"><path id="area" fill-rule="evenodd" d="{outline}"/></svg>')
+    at = lambda x, y: f"{x - MARGIN:.7f},{height + MARGIN - y:.7f}"
+    outline = " ".join("M " + " ".join(at(*p) for p in r) + " Z" for r in rings)
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{1000 * width:.4f}mm" '
+            f'height="{1000 * height:.4f}mm" viewBox="0 0 {width:.7f} {height:.7f}">'
+            f'<path id="area" fill-rule="evenodd" d="{outline}"/></svg>')
 
 
-# ---- true pin tracks: in the workers, so that the section can say that numpy is missing -----------------------------
+# ---- true pin tracks: numpy is loaded here only, so that the section can say that it is missing -------------
 
 def column(samples, name):
     """a column of the plan, runs written out"""
@@ -69,23 +70,35 @@ def column(samples, name):
     return np.repeat(np.asarray(runs[::2]), np.asarray(runs[1::2], int))
 
 
+def places(samples, of=""):
+    """-> (n, 2), of the turning point, or of the rake's centre"""
+    import numpy as np
+    return np.stack([column(samples, of + "x"), column(samples, of + "y")], 1)
+
+
+def travel_of(places):
+    import numpy as np
+    return np.concatenate([[0], np.cumsum(np.hypot(*np.diff(places, axis=0).T))])
+
+
 def tracks_of(plan):
-    """-> quads of single pins (m, 4, 2) and the travel at which each is raked (m), travel of the rake's centre at every sample, masks, motions"""
+    """-> quads that single pins rake from a sample to the next (m, 4, 2), and the rake's travel by then (m)"""
     import numpy as np
     samples, robot = plan["samples"], plan["robot"]
     pins, pitch = robot["pins"], robot["pin_pitch"]
-    centre = np.stack([column(samples, "rake_x"), column(samples, "rake_y")], 1)
-    heading, mask, motion = (column(samples, name) for name in ("heading", "mask", "motion"))
+    centre, heading = places(samples, "rake_"), column(samples, "heading")
+    mask = column(samples, "mask").astype(int)
     across = np.stack([-np.sin(heading), np.cos(heading)], 1)  # to the left
-    travel = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(centre, axis=0).T))])
+    travel = travel_of(centre)
     quads, when = [], []
     for k in range(pins):  # from the left
-        here = np.flatnonzero(mask[:-1].astype(int) >> (pins - 1 - k) & 1)
+        here = np.flatnonzero(mask[:-1] >> (pins - 1 - k) & 1)
         left, right = (pins / 2 - k) * pitch, (pins / 2 - k - 1) * pitch
         edge = lambda i, offset: centre[i] + offset * across[i]
-        quads.append(np.stack([edge(here, left), edge(here, right), edge(here + 1, right), edge(here + 1, left)], 1))
+        ends = ((here, left), (here, right), (here + 1, right), (here + 1, left))
+        quads.append(np.stack([edge(i, offset) for i, offset in ends], 1))
         when.append((travel[here] + travel[here + 1]) / 2)
-    return np.concatenate(quads), np.concatenate(when), travel, mask, motion
+    return np.concatenate(quads), np.concatenate(when)
 
 
 def cells_under(quads, cell, columns):
@@ -115,47 +128,58 @@ def area_of(rings, cell, columns, rows):
         c = np.asarray(ring) / cell - 0.5
         for (ax, ay), (bx, by) in zip(c, np.roll(c, -1, 0)):
             y = np.arange(math.ceil(min(ay, by)), math.ceil(max(ay, by)))
-            if len(y): np.add.at(crossings, (y, np.ceil(ax + (y - ay) * (bx - ax) / (by - ay)).astype(int)), 1)
+            if not len(y): continue
+            x = np.ceil(ax + (y - ay) * (bx - ax) / (by - ay)).astype(int)
+            np.add.at(crossings, (y, x), 1)
     return (np.cumsum(crossings, 1)[:, :-1] % 2 == 1).ravel()
+
+
+def shares(rings, quads, when):
+    """-> area in m^2, and coverage, overdraw, spill as shares of it"""
+    import numpy as np
+    cell, c, s = RAKE / CELLS, math.cos(TURN), math.sin(TURN)
+    turn = np.array([[c, s], [-s, c]])  # of rows (x, y)
+    rings, quads = [np.asarray(r) @ turn for r in rings], quads @ turn
+    corners = np.concatenate([*rings, quads.reshape(-1, 2)])
+    low = corners.min(0) - cell
+    columns, rows = np.ceil((corners.max(0) - low) / cell).astype(int) + 1
+    inside = area_of([r - low for r in rings], cell, columns, rows)
+    which, at = cells_under(quads - low, cell, columns)
+    order = np.lexsort((when[which], at))
+    at, time = at[order], when[which][order]
+    # after more than a width of travel, as the judge counts
+    again = (at[1:] == at[:-1]) & (time[1:] - time[:-1] > RAKE)
+    area, touched = inside.sum(), inside[np.unique(at)]
+    return area * cell * cell, touched.sum() / area, again.sum() / area, (~touched).sum() / area
 
 
 def raked(plan, rings):
     """-> Driven without what check states"""
     import numpy as np
-    quads, when, travel, mask, motion = tracks_of(plan)
-    cell, turn = RAKE / CELLS, np.array([[math.cos(TURN), -math.sin(TURN)], [math.sin(TURN), math.cos(TURN)]])
-    rings, quads = [np.asarray(r) @ turn.T for r in rings], quads @ turn.T
-    corners = np.concatenate([*rings, quads.reshape(-1, 2)])
-    shift = corners.min(0) - cell
-    columns, rows = np.ceil((corners.max(0) - shift) / cell).astype(int) + 1
-    inside = area_of([r - shift for r in rings], cell, columns, rows)
-    which, at = cells_under(quads - shift, cell, columns)
-    order = np.lexsort((when[which], at))
-    at, time = at[order], when[which][order]
-    again = (at[1:] == at[:-1]) & (time[1:] - time[:-1] > RAKE)  # more than one width of travel, as the judge counts
-    area = inside.sum()
-    touched = np.unique(at)
-    step, down = np.diff(travel), mask[:-1] != 0
-    runs = lambda flags: np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(int))).reshape(-1, 2)
-    turning, centre = (np.stack([column(plan["samples"], name) for name in names], 1) for names in (("x", "y"), ("rake_x", "rake_y")))
-    up = motion[:-1] != "draw"
-    hops = sum(math.dist(centre[a], centre[b]) > RAKE for a, b in runs(~down) if a and b < len(step))
-    stated = plan["figures"]
-    if abs(area * cell * cell / stated["fill_area"] - 1) > 0.01:
-        return Driven(wrong=f"{area * cell * cell:.2f} m^2 drawn, {stated['fill_area']:.2f} planned")
-    return Driven(coverage=inside[touched].sum() / area, overdraw=again.sum() / area, spill=(~inside[touched]).sum() / area,
+    area, coverage, overdraw, spill = shares(rings, *tracks_of(plan))
+    stated, samples = plan["figures"], plan["samples"]
+    if abs(area / stated["fill_area"] - 1) > 0.01:
+        return Driven(wrong=f"{area:.2f} m^2 drawn, {stated['fill_area']:.2f} planned")
+    mask, motion = (column(samples, name)[:-1] for name in ("mask", "motion"))
+    centre = places(samples, "rake_")
+    edges = lambda flags: np.flatnonzero(np.diff(np.concatenate([[0], flags.astype(int), [0]])))
+    runs = lambda flags: edges(flags).reshape(-1, 2)
+    step = lambda way, flags: np.diff(travel_of(way))[flags].sum()
+    hops = [math.dist(centre[a], centre[b]) > RAKE for a, b in runs(mask == 0) if a and b < len(mask)]
+    return Driven(coverage=coverage, overdraw=overdraw, spill=spill,
                   planned=1 - stated["fill_coverage"] + stated["fill_overdraw"] + stated["fill_spill"],
-                  ratio=step[down].sum() * RAKE / (area * cell * cell), up=np.hypot(*np.diff(turning, axis=0)[up].T).sum(),
-                  loops=len(runs(motion[:-1] == "loop")), hops=int(hops))
+                  ratio=step(centre, mask != 0) * RAKE / area, up=step(places(samples), motion != "draw"),
+                  loops=len(runs(motion == "loop")), hops=sum(hops))
 
 
 def drive(job):
     program, case, settings = job
     rings, width, height = placed(case)
-    code, text, err, _, _ = run([program, "plan", "-", "-q", "--robot", "beachbot", "--place", "actual",
-                                 "--canvas", f"{width + 2 * MARGIN:.6f}x{height + 2 * MARGIN:.6f}",
-                                 "--set", "place.positioned=on", "--set", f"place.x={MARGIN}m", "--set", f"place.y={MARGIN}m",
-                                 *settings], stdin=svg_of(rings, width, height), timeout=120)
+    corner = ["place.positioned=on", f"place.x={MARGIN}m", f"place.y={MARGIN}m"]
+    call = [program, "plan", "-", "-q", "--robot", "beachbot", "--place", "actual",
+            "--canvas", f"{width + 2 * MARGIN:.6f}x{height + 2 * MARGIN:.6f}",
+            *(word for setting in corner + settings for word in ("--set", setting))]
+    code, text, err, _, _ = run(call, stdin=svg_of(rings, width, height), timeout=120)
     if code != 0: return Driven(wrong="hang" if code is None else f"exit {code}: {err.strip()[:80]}")
     result = raked(json.loads(text), rings)
     report = json.loads(run([program, "check", "-", "--json"], stdin=text)[1])
@@ -164,25 +188,38 @@ def drive(job):
     return result
 
 
-# ---- tables ------------------------------------------------------------------------------------------------------
+# ---- tables -----------------------------------------------------------------------------------------------
+
+HEAD = ["shape", "coverage %", "overdraw %", "spill %", "E %", "E % as planned", "length x w / area",
+        "rake up m", "corner loops", "hops", "faults of check", "driven over m^2"]
+PERCENTS = (*SHOWN, "error", "planned")
+
+
+def cells_of(value, sums):
+    """a row but for its name: value of what is told for a shape, sums of what is counted"""
+    percents = [f"{100 * value(key):.2f}" for key in PERCENTS]
+    return [*percents, f"{value('ratio'):.3f}", f"{sums('up'):.1f}", *map(sums, ("loops", "hops", "faults")),
+            f"{sums('over'):.2f}"]
+
 
 def vehicle_table(name, cases, results):
-    cell = lambda r: [f"{100 * getattr(r, k):.2f}" for k in SHOWN] + [f"{100 * r.error:.2f}", f"{100 * r.planned:.2f}", f"{r.ratio:.3f}",
-                      f"{r.up:.1f}", r.loops, r.hops, r.faults, f"{r.over:.2f}"]
-    rows = [[c.name, r.wrong] + [""] * 10 if r.wrong else [c.name, *cell(r)] for c, r in zip(cases, results)]
+    rows = []
+    for c, r in zip(cases, results):
+        of = lambda key: getattr(r, key)
+        rows.append([c.name, r.wrong] + [""] * (len(HEAD) - 2) if r.wrong else [c.name, *cells_of(of, of)])
     for judges, title in ((True, "judge's"), (False, "fresh and own")):
         good = [r for c, r in zip(cases, results) if c.judges == judges and not r.wrong]
         if not good: continue
-        middle = lambda key: median([getattr(r, key) for r in good])
-        total = lambda key: sum(getattr(r, key) for r in good)
-        rows.append([f"**{title}: median, sum**"] + [f"{100 * middle(k):.2f}" for k in (*SHOWN, "error", "planned")]
-                    + [f"{middle('ratio'):.3f}", f"{total('up'):.1f}", total("loops"), total("hops"), total("faults"), f"{total('over'):.2f}"])
-    table(f"Fill after drive: rings, 7 pins, {name}",
-          ["shape", "coverage %", "overdraw %", "spill %", "E %", "E % as planned", "length x w / area", "rake up m", "corner loops", "hops",
-           "faults of check", "driven over m^2"], rows)
-    apart = [[100 * abs(getattr(r, k) - stated) for k, stated in zip(SHOWN, r.checked)] for r in results if not r.wrong]
-    print("\nBeside the areas of `strandline check` (2 cm cells, a pass after 0.5 m, areas alone), points, median and largest: "
-          + ", ".join(f"{k} {median(list(d)):.2f}, {max(d):.2f}" for k, d in zip(SHOWN, zip(*apart))))
+        of = lambda key: [getattr(r, key) for r in good]
+        middle, total = (lambda key: median(of(key))), (lambda key: sum(of(key)))
+        rows.append([f"**{title}: median, sum**", *cells_of(middle, total)])
+    table(f"Fill after drive: rings, 7 pins, {name}", HEAD, rows)
+    good = [r for r in results if not r.wrong]
+    far = []
+    for k, name in enumerate(SHOWN):
+        points = [100 * abs(getattr(r, name) - r.checked[k]) for r in good]
+        far.append(f"{name} {median(points):.2f}, {max(points, default=0):.2f}")
+    print("\nPoints from the areas of `strandline check`, median and largest: " + ", ".join(far))
 
 
 def report(program, shared, everything):
@@ -190,7 +227,8 @@ def report(program, shared, everything):
         import numpy  # noqa: F401
     except ImportError:
         return print("\nFill after drive: numpy is not at hand; left out.")
-    cases = [c for c in cases_of(shared, everything) if everything or not any(word in c.name for word in LARGE)]
+    large = lambda case: any(word in case.name for word in LARGE)
+    cases = [c for c in cases_of(shared, everything) if everything or not large(c)]
     with Pool(CORES) as pool:
         for name, settings in VEHICLES.items():
             vehicle_table(name, cases, pool.map(drive, [(program, c, settings) for c in cases], chunksize=1))
