@@ -69,8 +69,20 @@ TEST(Connect, ARobotThatCanTurnOnTheSpotDoesSoWhereAnEndIsTooTight) {
     const Connection c = connection(here, tight, {.limits = {0.5, 10}, .pivot = true});
     EXPECT_NEAR(length(c.curve), 5, 1e-12);
     expect_arrives(c, here.pose, tight.pose);
-    const CurvatureState gentle{{{4, 6}, 1}, 2};
-    EXPECT_EQ(connection(here, gentle, {.limits = {0.5, 10}, .pivot = true}).turn_before, 0);
+}
+
+TEST(Connect, ItTurnsOnTheSpotWhereThatIsShorterThanTheCurve) {
+    const CurvatureState from{{{0, 0}, 0}, 0}, ahead{{{10, 0.2}, 0}, 0}, beside{{{0, 1}, 0}, 0};
+    const Options options{.limits = {0.5, 10}, .pivot = true, .turn_cost = 0.5};
+    EXPECT_EQ(connection(from, ahead, options).turn_before, 0);
+    // A metre and half a turn in all, 2.6 m; no curve of radius 0.5 gets there in less than 3.
+    const Connection turning = connection(from, beside, options);
+    EXPECT_NEAR(turning.turn_before, pi / 2, 1e-12);
+    EXPECT_NEAR(turning.turn_after, -pi / 2, 1e-12);
+    EXPECT_NEAR(length(turning.curve), 1, 1e-12);
+    Options dear = options;
+    dear.turn_cost = 3;
+    EXPECT_EQ(connection(from, beside, dear).turn_before, 0);
 }
 
 TEST(Connect, LimitsComeFromTheRobot) {

@@ -24,7 +24,11 @@ Connection connection(const CurvatureState& from, const CurvatureState& to, cons
     const bool too_tight = std::max(std::abs(from.curvature), std::abs(to.curvature)) * radius > 1 + rounding;
     if (options.style == Style::straight || radius <= 0 || (options.pivot && too_tight))
         return straight_with_turns(from.pose, to.pose);
-    return {0, 0, continuous_curvature(from, to, options.limits)};
+    Connection bounded{0, 0, continuous_curvature(from, to, options.limits)};
+    if (!options.pivot) return bounded;
+    Connection turning = straight_with_turns(from.pose, to.pose);
+    const double turns = std::abs(turning.turn_before) + std::abs(turning.turn_after);
+    return length(turning.curve) + options.turn_cost * turns < length(bounded.curve) ? turning : bounded;
 }
 
 CurveLimits limits_of(const Robot& robot) { return {robot.min_radius, robot.sharpness}; }

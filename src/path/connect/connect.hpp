@@ -16,10 +16,12 @@ struct Options {
     Style style = Style::bounded;
     CurveLimits limits{};
     /// May turn on the spot at both ends: for `straight` always; for `bounded` it serves where an end asks
-    /// for a curvature above the limit.
+    /// for a curvature above the limit, and where that is the shorter way.
     bool pivot = false;
+    double turn_cost = 0.5;  ///< metres that a radian on the spot is worth: it takes as long
 };
-/// What is driven: pivot by `turn_before`, along the curve, pivot by `turn_after` (radians; 0 for bounded).
+/// What is driven: pivot by `turn_before`, along the curve, pivot by `turn_after` (radians; 0 for a bounded
+/// curve).
 struct Connection {
     double turn_before = 0, turn_after = 0;
     Curve curve;

@@ -13,7 +13,7 @@ enum class Above { loop, pivot, round };  ///< corners that turn as much or more
 
 struct Options {
     double corner_threshold = pi / 2;  ///< rad
-    double fill_radius = 0.3;  ///< metres, of rounding inside in fills: small, so that ring corners are raked
+    double fill_radius = 0.1;  ///< metres, of rounding inside in fills: small, so that ring corners are raked
     double corner_radius = 0.5;  ///< metres, of rounding inside (as large as the neighbouring edges allow)
     Below below = Below::exact;
     Above above = Above::loop;

@@ -81,7 +81,7 @@ struct Options {
         bool operator==(const TourSearch&) const = default;
     } tour;
     struct Corner {  // "corner.*"
-        double threshold = pi / 2, radius = 0.5, fill_radius = 0.3;
+        double threshold = pi / 2, radius = 0.5, fill_radius = 0.1;
         std::string below = "exact", above = "loop";  // exact | round; loop | pivot | round
         bool operator==(const Corner&) const = default;
     } corner;

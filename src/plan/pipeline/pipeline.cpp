@@ -59,6 +59,7 @@ order::Options order_options(const Options& options, const Robot& robot) {
     o.connect.style = straight ? connect::Style::straight : connect::Style::bounded;
     o.connect.limits = connect::limits_of(robot);
     o.connect.pivot = robot.can_pivot;
+    o.connect.turn_cost = robot.travel_speed / robot.turn_rate;
     o.min_gap = options.connect.min_length;
     return o;
 }
