@@ -223,9 +223,8 @@ void rake_other(Plan& plan, const Entry& entry, Drive& drive) {
     const Unit& unit = plan.units[entry.unit];
     Polyline way;
     if (!entry.way.empty()) way.assign(entry.way.begin() + 1, entry.way.end());
-    for (const Pass& pass : unit.other->passes) {
+    for (const Pass& pass : unit.other->passes)
         drive.rake(pass.line, &pass == unit.other->passes.data() ? std::move(way) : pass.way, false);
-    }
     for (int corridor : unit.corridors) plan.corridors.of[corridor].raked = true;
 }
 
