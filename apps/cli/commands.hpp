@@ -79,7 +79,7 @@ int tour(const TourArguments& arguments, const Common& common);
 struct FillArguments {
     std::string input, output = "-", style = "rings", inset = "offset", vehicle = "free", width, spacing,
                        direction;
-    std::string partition = "fitted", cuts, narrow = "single-pass", join = "half-step";
+    std::string partition = "fitted", cuts, segments, narrow = "single-pass", join = "half-step";
     bool one_stroke = false;
     double shift = 3;         ///< rake widths
     std::optional<int> pins;  ///< liftable, with masks; absent: a solid rake

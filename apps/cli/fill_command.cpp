@@ -86,6 +86,9 @@ int fill(const FillArguments& arguments, const Common& common) {
     auto cuts = fill::cuts_of(arguments.cuts, "--cuts");
     if (!cuts) return complain(cuts.error(), bad_call);
     options.cuts = std::move(*cuts);
+    auto segments = fill::segment_choices_of(arguments.segments, "--segments");
+    if (!segments) return complain(segments.error(), bad_call);
+    options.segments = std::move(*segments);
     options.one_stroke = arguments.one_stroke;
     if (arguments.vehicle != "free") {
         const auto robot = robot_named(arguments.vehicle);

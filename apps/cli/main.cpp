@@ -172,6 +172,9 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
         ->check(CLI::IsMember({"none", "monotone", "optimal-convex", "fitted"}))
         ->capture_default_str();
     fill->add_option("--cuts", f.cuts, "lines that part zigzag areas first: \"0,2 4,2; 1,0 1,5\"");
+    fill->add_option("--segments", f.segments,
+                     "directions and styles of zigzag segments, each by a point in it: \"2,3 "
+                     "direction=30deg; 5,1 style=rings\"");
     fill->add_flag("--one-stroke", f.one_stroke, "the rake never lifts inside the area");
     fill->add_option("--pins", f.pins, "the rake has this many pins that lift; strokes get masks")
         ->check(CLI::Range(1, 32));

@@ -28,6 +28,13 @@ enum class Join { half_step, nearest, alternating, longest_edge };
 /// warning.
 enum class Narrow { single_pass, warn };
 
+/// What is asked for in one segment of a zigzag: in the part that holds `at`.
+struct SegmentChoice {
+    Point at;                              ///< metres
+    std::optional<double> direction = {};  ///< of its lines, radians; absent: as everywhere
+    std::optional<Style> style = {};       ///< rings or spiral instead of lines
+};
+
 struct Options {
     Style style = Style::rings;
     Insets insets = Insets::offset;
@@ -40,9 +47,12 @@ struct Options {
         {};  ///< zigzag lines, radians; absent: that with the least waste, in each segment
     Partition partition = Partition::fitted;
     std::vector<Polyline> cuts = {};  ///< zigzag: lines that part the area before anything else, metres
-    double part_inset = 0;            ///< metres: each part of a partition shrinks by this (zigzag)
-    double min_area = 0.01;           ///< m^2: smaller parts are dropped and counted
-    bool border = true;               ///< a pass along the outline, driven last
+    /// Zigzag: own directions and styles of what the cuts leave in one piece, or, where parts have a gap
+    /// between them or are convex, of a part. Later ones win.
+    std::vector<SegmentChoice> segments = {};
+    double part_inset = 0;   ///< metres: each part of a partition shrinks by this (zigzag)
+    double min_area = 0.01;  ///< m^2: smaller parts are dropped and counted
+    bool border = true;      ///< a pass along the outline, driven last
     Narrow narrow = Narrow::single_pass;
     double tolerance = 0.002;  ///< metres
     double turn_radius =
@@ -90,6 +100,10 @@ Outcome<Choice> named(const std::string& name, const std::string& place);
 
 /// "0,2 4,2; 1,0 1,5" -> cuts, metres where no unit is given. Error.place is `place`.
 Outcome<std::vector<Polyline>> cuts_of(const std::string& text, const std::string& place);
+
+/// "2,3 direction=30deg; 5,1 style=rings" -> choices, units as elsewhere. Error.place is `place`; says which
+/// choice is wrong.
+Outcome<std::vector<SegmentChoice>> segment_choices_of(const std::string& text, const std::string& place);
 
 /// Never fails: a region nothing fits into gives no strokes and a warning. `element` is written into the
 /// strokes; `place` names the region in warnings. O(n log n + passes).

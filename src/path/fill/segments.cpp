@@ -15,7 +15,8 @@ constexpr double cut_beyond = 0.3;    // of the width: cuts found in the plain o
 constexpr double least_part = 0.05;   // of width^2: smaller parts are left to their neighbours' overlap
 constexpr double cut_cost = 0.3;      // of width^2: a cut costs a way and ends of lines
 constexpr std::size_t tried_directions = 3;
-constexpr int most_cuts = 12;  // in one area, found here
+constexpr double strip_share = 1.5;  // of the width: the border's strip belongs to the segment beside it
+constexpr int most_cuts = 12;        // in one area, found here
 constexpr std::size_t most_corners = 120, most_holes = 4, most_reflex = 40, most_pairs = 150;
 
 struct Halving {
@@ -196,15 +197,15 @@ std::vector<Segment> fitted_segments(const Region& piece, const Options& options
     return waste < waste_of(whole[0], options) ? parts : whole;
 }
 
-}  // namespace
+/// What may have a direction or a style of its own: a part of a piece that the cuts leave.
+struct Part {
+    Region region;
+    std::optional<double> direction = {};  ///< that of the piece it is of
+};
 
-std::vector<Segment> segments_of(const Regions& target, const std::string& place, const Options& options,
-                                 Fill& account) {
-    std::vector<Segment> segments;
-    const auto add = [&](Segment segment) {
-        if (options.part_inset > 0) segment.target = inset(segment.target, options.part_inset);
-        if (!segment.target.empty()) segments.push_back(std::move(segment));
-    };
+std::vector<Part> parts_of(const Regions& target, const std::string& place, const Options& options,
+                           Fill& account) {
+    std::vector<Part> parts;
     for (const Region& piece : cut_up(target, place, options, account)) {
         Partition partition = options.partition;
         if (partition == Partition::optimal_convex) {
@@ -213,25 +214,80 @@ std::vector<Segment> segments_of(const Regions& target, const std::string& place
             const Regions plain = simplified({piece}, options.width / 50);
             auto convex = convex_parts(plain.size() == 1 ? plain[0] : piece);
             if (convex) {
-                for (Polygon& part : *convex) add(directed({std::move(part), {}}, options));
+                for (Polygon& part : *convex) parts.push_back({{std::move(part), {}}});
                 continue;
             }
             account.warnings.push_back(
                 {place, fmt::format("{}: the monotone partition is used", convex.error().reason)});
             partition = Partition::monotone;
         }
-        if (partition == Partition::fitted) {
-            for (Segment& segment : fitted_segments(piece, options)) add(std::move(segment));
-            continue;
-        }
-        Segment whole = directed(piece, options);
         // Parts in which every line is in one piece share their rows, unless sand is to stay between them:
         // rows for each by itself would round their number up in every part.
-        if (partition == Partition::monotone && options.part_inset > 0)
-            for (Polygon& part : monotone_parts(piece, whole.direction))
-                add({{{std::move(part), {}}}, whole.direction});
+        if (partition == Partition::monotone && options.part_inset > 0) {
+            const double direction = directed(piece, options).direction;
+            for (Polygon& part : monotone_parts(piece, direction))
+                parts.push_back({{std::move(part), {}}, direction});
+        } else {
+            parts.push_back({piece});
+        }
+    }
+    return parts;
+}
+
+double distance_to(const Region& region, Point p) {
+    if (contains(region, p)) return 0;
+    double least = distance_to_outline(region.outer, p);
+    for (const Polygon& hole : region.holes) least = std::min(least, distance_to_outline(hole, p));
+    return least;
+}
+
+/// What is chosen for each part. A choice beside the parts, in the border's strip, is for the nearest one.
+std::vector<SegmentChoice> chosen(const std::vector<Part>& parts, const Region& region,
+                                  const std::string& place, const Options& options, Fill& account) {
+    std::vector<SegmentChoice> of_part(parts.size());
+    for (std::size_t i = 0; i < options.segments.size(); ++i) {
+        const SegmentChoice& choice = options.segments[i];
+        double least = strip_share * options.width;
+        SegmentChoice* best = nullptr;
+        for (std::size_t k = 0; contains(region, choice.at) && k < parts.size(); ++k)
+            if (const double d = distance_to(parts[k].region, choice.at); d < least)
+                least = d, best = &of_part[k];
+        if (!best) {
+            account.warnings.push_back(
+                {place, fmt::format("segment choice {} is for ({:.2f}, {:.2f}), which lies in no segment of "
+                                    "it: name a point inside of one",
+                                    i + 1, choice.at.x, choice.at.y)});
+            continue;
+        }
+        if (choice.direction) best->direction = choice.direction;
+        if (choice.style) best->style = choice.style;
+    }
+    return of_part;
+}
+
+}  // namespace
+
+std::vector<Segment> segments_of(const Region& region, const Regions& target, const std::string& place,
+                                 const Options& options, Fill& account) {
+    std::vector<Segment> segments;
+    const auto add = [&](Segment segment) {
+        if (options.part_inset > 0) segment.target = inset(segment.target, options.part_inset);
+        if (!segment.target.empty()) segments.push_back(std::move(segment));
+    };
+    std::vector<Part> parts = parts_of(target, place, options, account);
+    const std::vector<SegmentChoice> choices = chosen(parts, region, place, options, account);
+    Options own = options;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        auto& [part, direction] = parts[i];
+        own.direction = choices[i].direction ? choices[i].direction : options.direction;
+        if (choices[i].style.value_or(Style::zigzag) != Style::zigzag)
+            add({{std::move(part)}, 0, choices[i].style});
+        else if (direction && !choices[i].direction)
+            add({{std::move(part)}, *direction});
+        else if (options.partition == Partition::fitted)
+            for (Segment& segment : fitted_segments(part, own)) add(std::move(segment));
         else
-            add(std::move(whole));
+            add(directed(std::move(part), own));
     }
     return segments;
 }

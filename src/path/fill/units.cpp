@@ -9,6 +9,9 @@ namespace {
 // Shares of the rake's width:
 constexpr double near_by = 1.15;     // a pass whose middle is no farther can be gone over to
 constexpr double row_end_reach = 2;  // from a line's end to the end of the next
+constexpr double stops_apart = 1;    // along the corridors of another style
+constexpr double most_stops = 64;    // on each
+constexpr double ridge_reach = 2.1;  // between the innermost of them
 
 /// Lines that follow one another row by row without a choice are one cell. `first`: number of the first line.
 void add_cells(const std::vector<Line>& lines, int first, const Options& options, Plan& plan) {
@@ -45,12 +48,50 @@ void connect(Plan& plan, int stop, int other) {
     plan.neighbours[b].push_back(a);
 }
 
+/// The stop of a unit that is nearest to `p`.
+int nearest_stop(Plan& plan, const Unit& unit, Point p) {
+    int corridor = -1;
+    Foot best;
+    for (int c : unit.corridors)
+        if (const Foot foot = nearest(plan.corridors.of[c].line, p); foot.distance < best.distance)
+            best = foot, corridor = c;
+    return stop_at(plan.corridors, corridor, best.s);
+}
+
+/// Ways within a segment of another style, and over to what is beside it.
+void connect_other(Plan& plan, int u, const Options& options) {
+    Unit& unit = plan.units[u];
+    for (int c : unit.corridors) {
+        const double length = plan.corridors.of[c].line.length;
+        const double parts = std::clamp(std::ceil(length / (stops_apart * options.width)), 1.0, most_stops);
+        for (double i = 0; i < parts; ++i) stop_at(plan.corridors, c, i / parts * length);
+        if (!plan.corridors.of[c].line.closed) stop_at(plan.corridors, c, length);
+    }
+    unit.first = nearest_stop(plan, unit, unit.other->passes.front().line.front());
+    unit.last = nearest_stop(plan, unit, unit.other->passes.back().line.back());
+    for (int c : unit.corridors) {
+        const std::vector<int> stops = plan.corridors.of[c].stops;
+        for (int k = 0; k < static_cast<int>(plan.corridors.of.size()); ++k) {
+            const Ring& line = plan.corridors.of[k].line;
+            const bool within = plan.unit_of[k] == u;
+            if (k == c || (within && std::abs(line.level - plan.corridors.of[c].line.level) > 1)) continue;
+            const double reach = (within ? ridge_reach : near_by) * options.width;
+            for (int stop : stops) {
+                const Point p = plan.corridors.stops[stop].at;
+                if (!contains(grown(line.box, reach), p)) continue;
+                if (const Foot foot = nearest(line, p); foot.distance <= reach)
+                    connect(plan, stop, stop_at(plan.corridors, k, foot.s));
+            }
+        }
+    }
+}
+
 }  // namespace
 
 bool overlap(const Line& a, const Line& b) { return std::min(a.to, b.to) > std::max(a.from, b.from); }
 
-Plan planned(const std::vector<std::vector<Line>>& segments, const std::vector<Ring>& borders,
-             const Regions& room, const Options& options) {
+Plan planned(const std::vector<std::vector<Line>>& segments, const std::vector<OtherFill>& others,
+             const std::vector<Ring>& borders, const Regions& room, const Options& options) {
     Plan plan;
     for (const auto& lines : segments)
         for (const Line& line : lines) {
@@ -62,19 +103,34 @@ Plan planned(const std::vector<std::vector<Line>>& segments, const std::vector<R
         plan.corridors.of.push_back({ring, {}, false});
         plan.line_of.push_back(nullptr);
     }
+    const auto first_other = static_cast<int>(plan.line_of.size());
+    for (const OtherFill& other : others)
+        for (const Ring& ring : other.corridors) {
+            plan.corridors.of.push_back({ring, {}, false});
+            plan.line_of.push_back(nullptr);
+        }
     plan.unit_of.assign(plan.corridors.of.size(), -1);
     int first = 0;
     for (const auto& lines : segments) {
         add_cells(lines, first, options, plan);
         first += static_cast<int>(lines.size());
     }
-    for (int r = line_count; r < static_cast<int>(plan.corridors.of.size()); ++r) {
+    for (int r = line_count; r < first_other; ++r) {
         const bool outermost = std::ranges::any_of(room, [&](const Region& part) {
             return contains(grown(plan.corridors.of[r].line.box, 1e-9), bounds(part).low) &&
                    contains(grown(plan.corridors.of[r].line.box, 1e-9), bounds(part).high);
         });
         plan.unit_of[r] = static_cast<int>(plan.units.size());
         plan.units.push_back({{r}, true, outermost});
+    }
+    const auto first_other_unit = static_cast<int>(plan.units.size());
+    for (int next = first_other; const OtherFill& other : others) {
+        Unit unit{{}, false, false, &other};
+        for (std::size_t i = 0; i < other.corridors.size(); ++i) {
+            plan.unit_of[next] = static_cast<int>(plan.units.size());
+            unit.corridors.push_back(next++);
+        }
+        plan.units.push_back(std::move(unit));
     }
     plan.neighbours.resize(plan.units.size());
 
@@ -106,13 +162,15 @@ Plan planned(const std::vector<std::vector<Line>>& segments, const std::vector<R
         }
     // Along slanted edges the ends of neighbouring rows are farther apart than the rows.
     for (const Unit& unit : plan.units)
-        for (std::size_t i = 0; !unit.ring && i + 1 < unit.corridors.size(); ++i)
+        for (std::size_t i = 0; !unit.ring && !unit.other && i + 1 < unit.corridors.size(); ++i)
             for (int side : {0, 1}) {
                 const int a = plan.near_ends_of[unit.corridors[i]][side];
                 const int b = plan.near_ends_of[unit.corridors[i + 1]][side];
                 const double apart = distance(plan.corridors.stops[a].at, plan.corridors.stops[b].at);
                 if (apart > reach && apart < row_end_reach * options.width) connect(plan, a, b);
             }
+    for (int u = first_other_unit; u < static_cast<int>(plan.units.size()); ++u)
+        connect_other(plan, u, options);
     sort_stops(plan.corridors);
     for (auto& near : plan.neighbours) {
         std::ranges::sort(near);

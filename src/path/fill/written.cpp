@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <sstream>
 #include <string_view>
 
 #include "base/units/units.hpp"
@@ -34,6 +35,15 @@ template <>
 struct Names<Narrow> {
     static constexpr std::array<std::string_view, 2> list{"single-pass", "warn"};
 };
+
+/// "x,y" -> a point; absent if it is none.
+std::optional<Point> point_of(const std::string& pair) {
+    const std::size_t comma = pair.find(',');
+    if (comma == std::string::npos) return {};
+    const auto x = parse_length(pair.substr(0, comma), ""), y = parse_length(pair.substr(comma + 1), "");
+    if (!x || !y) return {};
+    return Point{*x, *y};
+}
 
 }  // namespace
 
@@ -76,16 +86,51 @@ Outcome<std::vector<Polyline>> cuts_of(const std::string& text, const std::strin
         }
         const std::size_t end = std::min(text.find_first_of(" ;", i), text.size());
         const std::string pair = text.substr(i, end - i);
-        const std::size_t comma = pair.find(',');
-        if (comma == std::string::npos) return fail(place, fmt::format("{} is no point", pair), remedy);
-        const auto x = parse_length(pair.substr(0, comma), place),
-                   y = parse_length(pair.substr(comma + 1), place);
-        if (!x || !y) return fail(place, fmt::format("{} is no point", pair), remedy);
-        cut.push_back({*x, *y});
+        const std::optional<Point> point = point_of(pair);
+        if (!point) return fail(place, fmt::format("{} is no point", pair), remedy);
+        cut.push_back(*point);
         i = end;
     }
     if (auto closed = close(); !closed) return tl::unexpected(closed.error());
     return cuts;
+}
+
+Outcome<std::vector<SegmentChoice>> segment_choices_of(const std::string& text, const std::string& place) {
+    constexpr auto remedy =
+        "write x,y and direction=angle or style=name, ; between segments, as in 2,3 direction=30deg; 5,1 "
+        "style=rings";
+    std::vector<SegmentChoice> choices;
+    std::istringstream segments(text);
+    for (std::string segment; std::getline(segments, segment, ';');) {
+        std::istringstream words(segment);
+        std::string word;
+        if (!(words >> word)) continue;
+        const auto wrong = [&](const std::string& reason) {
+            return fail(place, fmt::format("segment {}: {}", choices.size() + 1, reason), remedy);
+        };
+        const std::optional<Point> point = point_of(word);
+        if (!point) return wrong(word + " is no point");
+        SegmentChoice choice{*point};
+        while (words >> word) {
+            const std::string name = word.substr(0, word.find('='));
+            const std::string value = word.substr(std::min(name.size() + 1, word.size()));
+            if (name == "direction") {
+                const auto angle = parse_angle(value, place);
+                if (!angle) return wrong(fmt::format("direction: {}", angle.error().reason));
+                choice.direction = *angle;
+            } else if (name == "style") {
+                const auto style = named<Style>(value, place);
+                if (!style)
+                    return wrong(fmt::format("style: {}; {}", style.error().reason, style.error().remedy));
+                choice.style = *style;
+            } else {
+                return wrong(word + " is neither direction=angle nor style=name");
+            }
+        }
+        if (!choice.direction && !choice.style) return wrong("has neither a direction nor a style");
+        choices.push_back(choice);
+    }
+    return choices;
 }
 
 }  // namespace strandline::fill

@@ -5,16 +5,26 @@
 
 namespace strandline::fill {
 
-/// What one set of parallel lines is to rake.
+/// What one set of parallel lines is to rake, or another style.
 struct Segment {
     Regions target;
-    double direction = 0;  ///< of its lines, radians
+    double direction = 0;             ///< of its lines, radians
+    std::optional<Style> style = {};  ///< rings or spiral: no lines
 };
 /// The target (what the border ring leaves of the region) in segments, by options.partition and options.cuts,
-/// each with the direction that wastes least unless one is asked for. Cuts and parts that cannot be are said
-/// in account.warnings.
-std::vector<Segment> segments_of(const Regions& target, const std::string& place, const Options& options,
-                                 Fill& account);
+/// each with the direction or style asked for there, else the direction that wastes least. Cuts, choices and
+/// parts that cannot be are said in account.warnings.
+std::vector<Segment> segments_of(const Region& region, const Regions& target, const std::string& place,
+                                 const Options& options, Fill& account);
+
+/// A segment raked in another style, and where a lifted rake may go in it as long as it is not raked.
+struct OtherFill {
+    std::vector<Pass> passes;
+    std::vector<Ring> corridors;  ///< insets nested like its rings (their level), and its arms
+};
+/// The segment in its style, flush with what lies beside it: half an overlap larger, within the region.
+OtherFill other_fill(const Segment& segment, const Region& region, const std::string& place,
+                     const Options& options, Fill& account);
 
 /// One line, from the left to the right as seen along the segment's direction.
 struct Line {
@@ -33,8 +43,10 @@ double waste_of(const Segment& segment, const Options& options);
 /// The regions turned about the origin.
 Regions turned(Regions regions, double angle);
 
-/// Lines and border rings in an order in which the sand not yet raked stays connected, with the ways between.
-std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const std::vector<Ring>& borders,
-                         const Regions& room, const Wish& wish, const Options& options);
+/// Lines, other fills and border rings in an order in which the sand not yet raked stays connected, with the
+/// ways between.
+std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const std::vector<OtherFill>& others,
+                         const std::vector<Ring>& borders, const Regions& room, const Wish& wish,
+                         const Options& options);
 
 }  // namespace strandline::fill

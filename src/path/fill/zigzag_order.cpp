@@ -33,6 +33,7 @@ std::vector<Entry> entries_of(const Plan& plan, int u) {
             entries.push_back({u, stop, stop, false, false, 0, {}});
         return entries;
     }
+    if (unit.other) return {{u, unit.first, unit.last, false, false, 0, {}}};
     const bool odd = unit.corridors.size() % 2 == 1;
     for (bool top : {false, true})
         for (bool right : {false, true}) {
@@ -217,11 +218,22 @@ void rake_cell(Plan& plan, const Entry& entry, Router& router, const Options& op
     }
 }
 
+/// A segment of another style: over its own sand to where its passes begin, then they as they are.
+void rake_other(Plan& plan, const Entry& entry, Drive& drive) {
+    const Unit& unit = plan.units[entry.unit];
+    Polyline way;
+    if (!entry.way.empty()) way.assign(entry.way.begin() + 1, entry.way.end());
+    for (const Pass& pass : unit.other->passes)
+        drive.rake(pass.line, &pass == unit.other->passes.data() ? std::move(way) : pass.way, false);
+    for (int corridor : unit.corridors) plan.corridors.of[corridor].raked = true;
+}
+
 }  // namespace
 
-std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const std::vector<Ring>& borders,
-                         const Regions& room, const Wish& wish, const Options& options) {
-    Plan plan = planned(segments, borders, room, options);
+std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const std::vector<OtherFill>& others,
+                         const std::vector<Ring>& borders, const Regions& room, const Wish& wish,
+                         const Options& options) {
+    Plan plan = planned(segments, others, borders, room, options);
     Router router(plan.corridors);
     Drive drive(room, options);
     std::vector<bool> done(plan.units.size(), false);
@@ -230,7 +242,9 @@ std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const s
         const Entry entry = next_entry(plan, done, left, here, router, wish, options);
         done[entry.unit] = true;
         const Unit& unit = plan.units[entry.unit];
-        if (!unit.ring) {
+        if (unit.other) {
+            rake_other(plan, entry, drive);
+        } else if (!unit.ring) {
             rake_cell(plan, entry, router, options, drive);
         } else {
             const int corridor = unit.corridors[0];

@@ -66,6 +66,7 @@ struct Options {
         bool best_direction = true;
         std::string partition = "fitted";  // none | monotone | optimal-convex | fitted
         std::string cuts;                  // "x,y x,y; x,y x,y"
+        std::string segments;              // "x,y direction=30deg; x,y style=rings"
         bool one_stroke = false;
         double part_inset = 0, min_area = 0.01;
         bool border = true;

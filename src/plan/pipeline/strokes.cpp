@@ -149,6 +149,13 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
                 strokes.warnings.push_back(
                     {cuts.error().place,
                      fmt::format("{}: no cut is made; {}", cuts.error().reason, cuts.error().remedy)});
+            if (auto segments =
+                    fill::segment_choices_of(wanted.fill.segments, element.id + ", fill.segments"))
+                filling.segments = std::move(*segments);
+            else
+                strokes.warnings.push_back(
+                    {segments.error().place, fmt::format("{}: no segment has its own direction or style; {}",
+                                                         segments.error().reason, segments.error().remedy)});
             fill::Fill filled =
                 fill::fill_region(std::get<RegionElement>(element.what).region, index, element.id, filling);
             strokes.fallbacks += static_cast<int>(filled.warnings.size());
