@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "path/fill/keep_off.hpp"
 #include "path/fill/seams.hpp"
 
 namespace strandline::fill {
@@ -187,7 +188,7 @@ Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice, std::option
 namespace {
 
 /// The rings in the order of their peel, with the ways between. Marks the lattice.
-std::vector<Pass> raked(const std::vector<Ring>& rings, Lattice lattice, const Wish& wish,
+std::vector<Pass> raked(const std::vector<Ring>& rings, Lattice lattice, Trail trail, const Wish& wish,
                         const Options& options) {
     std::vector<Pass> passes;
     for (const auto& [chain, onward] : peel_of(rings, lattice, wish.start)) {
@@ -202,6 +203,9 @@ std::vector<Pass> raked(const std::vector<Ring>& rings, Lattice lattice, const W
             for (std::size_t k = 0; k < lines.size(); ++k) {
                 Polyline& line = lines[k];
                 if (line.size() < 2) continue;
+                // The border stays where it makes the outline crisp; teeth end flush with raked sand.
+                if (chain[i]->level > 0 && chain[i]->teeth.empty()) line = trail.kept_off(line);
+                trail.add(line);
                 Polyline reach;
                 if (k > 0 && k < meets.size() && (meets[k - 1].second || meets[k].first))
                     reach = way_off_raked(passes.back().line, line, options.width);
@@ -230,14 +234,14 @@ Passes ring_passes(const Region& region, const std::string& place, const Options
     if (levels.room.empty()) return no_passes;
     std::vector<Ring> rings = rings_of(region, levels, options);
     Lattice lattice = lattice_of(region, rings, options);
+    Trail trail(levels.room, options);
     if (lattice.inside.empty())
         account.warnings.push_back(
             {place,
              "is so large for so narrow a rake that ways between its rings are straight "
              "and may cross raked sand; a smaller canvas or a wider rake avoids that"});
-    return [rings = std::move(rings), lattice = std::move(lattice), options](const Wish& wish) {
-        return raked(rings, lattice, wish, options);
-    };
+    return [rings = std::move(rings), lattice = std::move(lattice), trail = std::move(trail),
+            options](const Wish& wish) { return raked(rings, lattice, trail, wish, options); };
 }
 
 }  // namespace strandline::fill

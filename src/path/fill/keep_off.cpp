@@ -1,0 +1,147 @@
+// Passes that keep off raked sand.
+#include "path/fill/keep_off.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strandline::fill {
+namespace {
+
+// Shares of the rake's width, or lengths in widths.
+constexpr double beside =
+    0.545;                      // half a width and half the diagonal of the raster on which fills are judged
+constexpr double step = 0.125;  // between places looked at
+constexpr double fresh = 1, finished = 2.5;  // of travel: sand is crossed freely before, kept off after
+constexpr double steepest = 1.5;             // how fast a push may grow along the line
+constexpr double least_push = 0.01;          // what raises no notice
+constexpr double enough = 0.97;              // of the distance to be kept
+constexpr double astride = 0.02;             // nearer than this there is no side to be pushed to
+constexpr double thinning = 1 / 200.0;
+constexpr int most_pushes = 4;
+
+}  // namespace
+
+std::uint64_t Trail::cell(Point p) const {
+    const auto part = [&](double x) {
+        return static_cast<std::uint64_t>(
+            static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(x / width_))));
+    };
+    return part(p.x) << 32U | part(p.y);
+}
+
+void Trail::enter(const Polyline& line, double travelled, Cells& cells) const {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const double long_ = distance(line[i - 1], line[i]);
+        const int parts = std::max(1, static_cast<int>(std::ceil(long_ / width_)));
+        for (int k = 0; k < parts; ++k) {
+            const Edge edge{between(line[i - 1], line[i], static_cast<double>(k) / parts),
+                            between(line[i - 1], line[i], static_cast<double>(k + 1) / parts),
+                            travelled + long_ * k / parts, i == 1 && k == 0,
+                            i + 1 == line.size() && k + 1 == parts};
+            const Box box = grown(bounds({edge.from, edge.to}), beside * width_);
+            for (double x = std::floor(box.low.x / width_); x <= std::floor(box.high.x / width_); ++x)
+                for (double y = std::floor(box.low.y / width_); y <= std::floor(box.high.y / width_); ++y)
+                    cells[cell({(x + 0.5) * width_, (y + 0.5) * width_})].push_back(edge);
+        }
+        travelled += long_;
+    }
+}
+
+std::optional<Trail::Near> Trail::near(const Cells& own, Point p, double travelled) const {
+    std::optional<Near> nearest;
+    for (const Cells* cells : {&raked_, &own}) {
+        const auto here = cells->find(cell(p));
+        if (here == cells->end()) continue;
+        for (const Edge& edge : here->second) {
+            if (travelled - edge.travelled < fresh * width_) continue;
+            const Point u = edge.to - edge.from;
+            const double uu = dot(u, u), t = uu > 0 ? dot(p - edge.from, u) / uu : 0;
+            if ((edge.first && t < 0) || (edge.last && t > 1)) continue;
+            const double share = std::clamp(t, 0.0, 1.0);
+            const double lag = travelled - edge.travelled - share * std::sqrt(uu);
+            const double keep =
+                beside * width_ * std::clamp((lag / width_ - fresh) / (finished - fresh), 0.0, 1.0);
+            const Point at = edge.from + share * u;
+            const double away = distance(p, at);
+            if (away < keep && (!nearest || away - keep < nearest->distance - nearest->keep))
+                nearest = Near{at, away, keep};
+        }
+    }
+    return nearest;
+}
+
+Polyline Trail::kept_off(const Polyline& line) const {
+    struct Place {
+        Point at, pushed;
+        double s = 0, push = 0;
+        bool corner = false;
+    };
+    std::vector<Place> places;
+    double s = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (i > 0) {
+            const double long_ = distance(line[i - 1], line[i]);
+            const int parts = static_cast<int>(std::ceil(long_ / (step * width_)));
+            for (int k = 1; k < parts; ++k) {
+                const double share = static_cast<double>(k) / parts;
+                places.push_back({between(line[i - 1], line[i], share), {}, s + share * long_});
+            }
+            s += long_;
+        }
+        places.push_back({line[i], {}, s, 0, true});
+    }
+    const double start = travelled_ + (end_ ? distance(*end_, line.front()) : 0);
+    Cells own;
+    enter(line, start, own);
+
+    bool any = false;
+    for (Place& place : places) {
+        const double travelled = start + place.s;
+        place.pushed = place.at;
+        std::optional<Near> obstacle = near(own, place.at, travelled);
+        for (int k = 0; obstacle && k < most_pushes; ++k) {
+            if (obstacle->distance < std::min(astride * width_, obstacle->keep / 2)) break;
+            place.pushed = obstacle->at + obstacle->keep / obstacle->distance * (place.pushed - obstacle->at);
+            obstacle = near(own, place.pushed, travelled);
+            if (obstacle && obstacle->distance > enough * obstacle->keep) obstacle.reset();
+        }
+        if (obstacle || !room_.contains(place.pushed)) place.pushed = place.at;
+        place.push = distance(place.at, place.pushed);
+        any = any || place.push > least_push * width_;
+    }
+    if (!any) return line;
+
+    const auto limit = [&](Place& place, const Place& beside_it) {
+        place.push = std::min(place.push, beside_it.push + steepest * std::abs(place.s - beside_it.s));
+    };
+    for (std::size_t i = 1; i < places.size(); ++i) limit(places[i], places[i - 1]);
+    for (std::size_t i = places.size() - 1; i-- > 0;) limit(places[i], places[i + 1]);
+
+    Polyline kept, stretch;
+    const auto close = [&] {
+        const Polyline plain = thinned(stretch, thinning * width_);
+        kept.insert(kept.end(), plain.begin(), plain.end());
+        stretch.clear();
+    };
+    for (const Place& place : places) {
+        const double whole = distance(place.at, place.pushed);
+        if (whole > 0 && place.push > 0) {
+            stretch.push_back(between(place.at, place.pushed, place.push / whole));
+            continue;
+        }
+        if (!stretch.empty()) close();
+        if (place.corner) kept.push_back(place.at);
+    }
+    if (!stretch.empty()) close();
+    return without_duplicates(kept, least_push * width_);
+}
+
+void Trail::add(const Polyline& line) {
+    if (line.size() < 2) return;
+    if (end_) travelled_ += distance(*end_, line.front());
+    enter(line, travelled_, raked_);
+    travelled_ += length(line);
+    end_ = line.back();
+}
+
+}  // namespace strandline::fill
