@@ -136,11 +136,19 @@ Polyline Trail::kept_off(const Polyline& line) const {
     return without_duplicates(kept, least_push * width_);
 }
 
+bool Trail::raked(Point p) const {
+    return is_raked(lattice_, p) || (!latest_.empty() && distance_to(latest_, p) < width_ / 2);
+}
+
 void Trail::add(const Polyline& line) {
     if (line.size() < 2) return;
     if (end_) travelled_ += distance(*end_, line.front());
     enter(line, travelled_, raked_);
-    travelled_ += length(line);
+    const double long_ = length(line), finished_to = std::max(0.0, long_ - fresh * width_);
+    rake(lattice_, latest_, options_);
+    if (finished_to > 0) rake(lattice_, slice(line, 0, finished_to), options_);
+    latest_ = slice(line, finished_to, long_);
+    travelled_ += long_;
     end_ = line.back();
 }
 

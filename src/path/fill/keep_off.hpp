@@ -1,17 +1,19 @@
 #pragma once
-// Private to the room: passes that keep their centre line off sand that earlier ones have raked.
+// Private to the room: passes, and ways between them, that keep off sand that earlier ones have raked.
 #include <cstdint>
 #include <unordered_map>
 
-#include "path/fill/passes.hpp"
+#include "path/fill/lattice.hpp"
 
 namespace strandline::fill {
 
 /// All lines raked so far, by the travel at which each place was raked.
 class Trail {
   public:
-    /// `room`: where the centre of the rake may be.
-    Trail(const Regions& room, const Options& options) : room_(room), width_(options.width) {}
+    /// `room`: where the centre of the rake may be. `lattice`: nothing in it is raked yet.
+    Trail(Lattice lattice, const Regions& room, const Options& options)
+        : lattice_(std::move(lattice)), room_(room), options_(options), width_(options.width) {}
+    const Lattice& lattice() const { return lattice_; }
 
     /// The line, pushed away where it runs on the sand of earlier lines or of its own: to just beside their
     /// edge, on the side where it lies. What it no longer rakes there is raked already, and what it rakes
@@ -19,7 +21,10 @@ class Trail {
     /// sand, are squeezed between two raked passes or would leave the room stay. O(length / width x passes
     /// near by).
     Polyline kept_off(const Polyline& line) const;
-    /// Raked after a lifted way from where the last one ended.
+    /// The way from the end of the last line to a point: that of the lattice, over which the end of the line is
+    /// no obstacle: what was raked just now is not finished yet.
+    Polyline way_to(Point p) const { return way(lattice_, *end_, p); }
+    bool raked(Point p) const;
     void add(const Polyline& line);
 
   private:
@@ -40,9 +45,12 @@ class Trail {
     std::optional<Near> near(const Cells& own, Point p, double travelled) const;
     std::uint64_t cell(Point p) const;
 
+    Lattice lattice_;  // without the latest
     AreaIndex room_;
+    Options options_;
     double width_;
     Cells raked_;
+    Polyline latest_;
     double travelled_ = 0;
     std::optional<Point> end_;
 };

@@ -145,9 +145,9 @@ std::vector<std::vector<int>> chains_of(const std::vector<Ring>& rings, const Tr
 }
 
 /// Whether there is raked sand beyond a tooth's start and beyond its end.
-std::pair<bool, bool> meets_raked(const Polyline& tooth, const Lattice& lattice, double width) {
+std::pair<bool, bool> meets_raked(const Polyline& tooth, const Trail& trail, double width) {
     const Point beyond = beyond_end * width * normalized(tooth.back() - tooth.front());
-    return {is_raked(lattice, tooth.front() - beyond), is_raked(lattice, tooth.back() + beyond)};
+    return {trail.raked(tooth.front() - beyond), trail.raked(tooth.back() + beyond)};
 }
 
 /// The way from a tooth's end to the start of the next one beside it, where those ends meet raked sand: it
@@ -188,10 +188,10 @@ Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice, std::option
 namespace {
 
 /// The rings in the order of their peel, with the ways between. Marks the lattice.
-std::vector<Pass> raked(const std::vector<Ring>& rings, Lattice lattice, Trail trail, const Wish& wish,
+std::vector<Pass> raked(const std::vector<Ring>& rings, Trail trail, const Wish& wish,
                         const Options& options) {
     std::vector<Pass> passes;
-    for (const auto& [chain, onward] : peel_of(rings, lattice, wish.start)) {
+    for (const auto& [chain, onward] : peel_of(rings, trail.lattice(), wish.start)) {
         const std::optional<Point> here = passes.empty() ? wish.start : passes.back().line.back();
         const std::vector<Seam> seams = seams_of(chain, onward, here, wish.exit, options);
         for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -199,25 +199,25 @@ std::vector<Pass> raked(const std::vector<Ring>& rings, Lattice lattice, Trail t
             std::vector<Polyline> lines = passes_along(*chain[i], seams[i], options);
             std::vector<std::pair<bool, bool>> meets;
             if (!chain[i]->teeth.empty())
-                for (const Polyline& line : lines) meets.push_back(meets_raked(line, lattice, options.width));
+                for (const Polyline& line : lines) meets.push_back(meets_raked(line, trail, options.width));
             for (std::size_t k = 0; k < lines.size(); ++k) {
                 Polyline& line = lines[k];
                 if (line.size() < 2) continue;
                 // The border stays where it makes the outline crisp; teeth end flush with raked sand.
                 if (chain[i]->level > 0 && chain[i]->teeth.empty()) line = trail.kept_off(line);
-                trail.add(line);
                 Polyline reach;
                 if (k > 0 && k < meets.size() && (meets[k - 1].second || meets[k].first))
                     reach = way_off_raked(passes.back().line, line, options.width);
                 if (!joined && !passes.empty() &&
                     distance(passes.back().line.back(), line.front()) > options.width)
-                    reach = way(lattice, passes.back().line.back(), line.front());
-                rake(lattice, line, options);
+                    reach = trail.way_to(line.front());
                 if (std::exchange(joined, false)) {
                     Polyline& last = passes.back().line;
-                    rake(lattice, {last.back(), line.front()}, options);
+                    trail.add({last.back(), line.front()});
+                    trail.add(line);
                     last.insert(last.end(), line.begin(), line.end());
                 } else {
+                    trail.add(line);
                     passes.push_back({std::move(reach), std::move(line)});
                 }
             }
@@ -234,14 +234,13 @@ Passes ring_passes(const Region& region, const std::string& place, const Options
     if (levels.room.empty()) return no_passes;
     std::vector<Ring> rings = rings_of(region, levels, options);
     Lattice lattice = lattice_of(region, rings, options);
-    Trail trail(levels.room, options);
     if (lattice.inside.empty())
         account.warnings.push_back(
             {place,
              "is so large for so narrow a rake that ways between its rings are straight "
              "and may cross raked sand; a smaller canvas or a wider rake avoids that"});
-    return [rings = std::move(rings), lattice = std::move(lattice), trail = std::move(trail),
-            options](const Wish& wish) { return raked(rings, lattice, trail, wish, options); };
+    return [rings = std::move(rings), trail = Trail(std::move(lattice), levels.room, options),
+            options](const Wish& wish) { return raked(rings, trail, wish, options); };
 }
 
 }  // namespace strandline::fill
