@@ -30,20 +30,28 @@ std::uint64_t Trail::cell(Point p) const {
 }
 
 void Trail::enter(const Polyline& line, double travelled, Cells& cells) const {
+    if (line.size() < 2) return;
+    const double whole = length(line);
+    const End start{line.front(), normalized(line[0] - line[1])};
+    const End end{line.back(), normalized(line.back() - line[line.size() - 2])};
+    double s = 0;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const double long_ = distance(line[i - 1], line[i]);
         const int parts = std::max(1, static_cast<int>(std::ceil(long_ / width_)));
         for (int k = 0; k < parts; ++k) {
-            const Edge edge{between(line[i - 1], line[i], static_cast<double>(k) / parts),
-                            between(line[i - 1], line[i], static_cast<double>(k + 1) / parts),
-                            travelled + long_ * k / parts, i == 1 && k == 0,
-                            i + 1 == line.size() && k + 1 == parts};
+            Edge edge{between(line[i - 1], line[i], static_cast<double>(k) / parts),
+                      between(line[i - 1], line[i], static_cast<double>(k + 1) / parts),
+                      travelled + s + long_ * k / parts,
+                      {},
+                      {}};
+            if (s + long_ * k / parts < width_) edge.start = start;
+            if (whole - s - long_ * (k + 1) / parts < width_) edge.end = end;
             const Box box = grown(bounds({edge.from, edge.to}), beside * width_);
             for (double x = std::floor(box.low.x / width_); x <= std::floor(box.high.x / width_); ++x)
                 for (double y = std::floor(box.low.y / width_); y <= std::floor(box.high.y / width_); ++y)
                     cells[cell({(x + 0.5) * width_, (y + 0.5) * width_})].push_back(edge);
         }
-        travelled += long_;
+        s += long_;
     }
 }
 
@@ -56,7 +64,8 @@ std::optional<Trail::Near> Trail::near(const Cells& own, Point p, double travell
             if (travelled - edge.travelled < fresh * width_) continue;
             const Point u = edge.to - edge.from;
             const double uu = dot(u, u), t = uu > 0 ? dot(p - edge.from, u) / uu : 0;
-            if ((edge.first && t < 0) || (edge.last && t > 1)) continue;
+            if (dot(p - edge.start.at, edge.start.beyond) > 0 || dot(p - edge.end.at, edge.end.beyond) > 0)
+                continue;
             const double share = std::clamp(t, 0.0, 1.0);
             const double lag = travelled - edge.travelled - share * std::sqrt(uu);
             const double keep =

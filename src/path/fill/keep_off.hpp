@@ -28,10 +28,14 @@ class Trail {
     void add(const Polyline& line);
 
   private:
+    /// The flat end of a line near by: nothing is raked beyond it.
+    struct End {
+        Point at, beyond;  // beyond: a unit vector; zero: none is near
+    };
     struct Edge {
         Point from, to;
         double travelled;  // at its start
-        bool first, last;  // of its line: nothing is raked beyond its flat end
+        End start, end;    // of its line
     };
     struct Near {
         Point at;

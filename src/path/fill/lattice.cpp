@@ -139,6 +139,10 @@ bool is_raked(const Lattice& l, Point p) {
     return !l.raked.empty() && l.raked[static_cast<std::size_t>(index(l, p))] != 0;
 }
 
+bool is_free(const Lattice& l, Point p) {
+    return l.raked.empty() || price(l, index(l, p)) == 1;
+}
+
 Polyline way(const Lattice& l, Point from, Point to) {
     if (l.inside.empty()) return {};
     const double straight = distance(from, to);

@@ -27,6 +27,8 @@ std::vector<Contact> contacts(const Lattice& lattice);
 /// Marks what the rake covers on its way along a line.
 void rake(Lattice& lattice, const Polyline& line, const Options& options);
 bool is_raked(const Lattice& lattice, Point p);
+/// Within the area and not raked; true everywhere where the lattice is empty.
+bool is_free(const Lattice& lattice, Point p);
 /// The shortest way from a to b that keeps off raked sand and stays inside, where there is one: A* over the
 /// cells (Hart, Nilsson and Raphael 1968), eight neighbours, raked and outer cells at a price; then pulled
 /// tight. Both ends left out.

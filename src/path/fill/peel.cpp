@@ -193,7 +193,7 @@ std::vector<Pass> raked(const std::vector<Ring>& rings, Trail trail, const Wish&
     std::vector<Pass> passes;
     for (const auto& [chain, onward] : peel_of(rings, trail.lattice(), wish.start)) {
         const std::optional<Point> here = passes.empty() ? wish.start : passes.back().line.back();
-        const std::vector<Seam> seams = seams_of(chain, onward, here, wish.exit, options);
+        const std::vector<Seam> seams = seams_of(chain, onward, here, wish.exit, trail.lattice(), options);
         for (std::size_t i = 0; i < chain.size(); ++i) {
             bool joined = seams[i].stepped;
             std::vector<Polyline> lines = passes_along(*chain[i], seams[i], options);

@@ -2,6 +2,7 @@
 #include "path/fill/seams.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "path/fill/corners.hpp"
 
@@ -21,6 +22,8 @@ constexpr int samples = 24;    // places looked at along a ring
 constexpr int most_beside = 6;
 // What the joints cost, in widths of raked length.
 constexpr double step_cost = 0.35, lift_cost = 0.1, hop_cost = 2, way_cost = 0.05, bend_cost = 0.3;
+constexpr double shut_in_cost = 1;       // a place that can only be left over raked sand
+constexpr double side = 0.75;            // of the width: where the sand beside a pass is looked at
 constexpr double exit_cost = 1;          // a width away from the exit that is wished for
 constexpr double slanted_bend_cost = 1;  // the same where a step leads along the next ring
 
@@ -136,10 +139,20 @@ double joint_cost(const Ring& from, const Place& a, const Ring& to, const Place&
     return d <= manoeuvre * w ? lift_cost : hop_cost + way_cost * d / w;
 }
 
+/// Whether there is no sand beside the ring at arc length s that is still to be raked.
+bool shut_in(const Ring& ring, double s, const Ring* before, const Lattice& lattice, const Options& options) {
+    const double w = options.width;
+    const Point p = at(ring, s), off = side * w * left_normal(normalized(at(ring, s + 1e-3 * w) - p));
+    return std::ranges::none_of(std::array{p + off, p - off}, [&](Point q) {
+        return is_free(lattice, q) && !(before && nearest(*before, q).distance < w / 2);
+    });
+}
+
 }  // namespace
 
 std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* onward,
-                           std::optional<Point> from, std::optional<Point> exit, const Options& options) {
+                           std::optional<Point> from, std::optional<Point> exit, const Lattice& lattice,
+                           const Options& options) {
     const std::size_t n = chain.size();
     std::vector<std::vector<Place>> places(n);
     std::vector<std::vector<double>> cost(n);
@@ -161,6 +174,8 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
                 if (total < cost[i][b]) cost[i][b] = total, came[i][b] = a;
             }
             cost[i][b] += here.cost;
+            if (chain[i]->closed && shut_in(*chain[i], here.s, i > 0 ? chain[i - 1] : nullptr, lattice, options))
+                cost[i][b] += shut_in_cost;
             if (leaves) cost[i][b] += exit_cost * distance(here.end, *exit) / options.width;
             if (i + 1 == n && onward)
                 cost[i][b] += way_cost * nearest(*onward, here.end).distance / options.width;

@@ -1,6 +1,6 @@
 #pragma once
 // Private to the room: where each ring of a chain is begun and ended.
-#include "path/fill/rings.hpp"
+#include "path/fill/lattice.hpp"
 
 namespace strandline::fill {
 
@@ -16,9 +16,11 @@ struct Seam {
 /// choice over candidate places (cut corners, places beside the next ring, and what lies beside those of the
 /// ring before), by dynamic programming along the chain. `onward`: the ring at which a later chain goes on;
 /// null at the end. `from`: where the vehicle stands; `exit`: where it is to be at the end, if anywhere.
+/// `lattice`: what is raked already, and no good place to leave a ring over.
 /// O(rings x candidates x (candidates + corners)).
 std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* onward,
-                           std::optional<Point> from, std::optional<Point> exit, const Options& options);
+                           std::optional<Point> from, std::optional<Point> exit, const Lattice& lattice,
+                           const Options& options);
 
 /// The ring's passes by its seam: one, or more where corners are cut.
 std::vector<Polyline> passes_along(const Ring& ring, const Seam& seam, const Options& options);

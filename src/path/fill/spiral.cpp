@@ -58,7 +58,7 @@ std::vector<Pass> wound(const std::vector<Ring>& rings, Work work, const Wish& w
                 work.passes.empty() ? wish.start : work.passes.back().line.back();
             if (!chain[i]->closed) {
                 const Ring* next = i + 1 < chain.size() ? chain[i + 1] : onward;
-                const Seam seam = seams_of({chain[i]}, next, here, wish.exit, options).front();
+                const Seam seam = seams_of({chain[i]}, next, here, wish.exit, work.lattice, options).front();
                 const bool spine = chain[i]->teeth.empty();
                 for (Polyline& line : passes_along(*chain[i], seam, options))
                     go_on(work, std::move(line), spine && may_step, options);
