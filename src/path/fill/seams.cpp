@@ -139,6 +139,16 @@ double joint_cost(const Ring& from, const Place& a, const Ring& to, const Place&
     return d <= manoeuvre * w ? lift_cost : hop_cost + way_cost * d / w;
 }
 
+/// Whether the straight way on from where a ring is left crosses what the ring has raked.
+bool crosses_itself(const Ring& ring, const Seam& seam, Point next, const Options& options) {
+    const double just_now = std::min(options.width / 4, std::abs(seam.span) / 4);
+    const Polyline line = along(ring, seam.start, std::copysign(std::abs(seam.span) - just_now, seam.span));
+    const Point end = at(ring, seam.start + seam.span);
+    for (std::size_t i = 1; i < line.size(); ++i)
+        if (crossing(end, next, line[i - 1], line[i])) return true;
+    return false;
+}
+
 /// Whether there is no sand beside the ring at arc length s that is still to be raked.
 bool shut_in(const Ring& ring, double s, const Ring* before, const Lattice& lattice, const Options& options) {
     const double w = options.width;
@@ -174,7 +184,8 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
                 if (total < cost[i][b]) cost[i][b] = total, came[i][b] = a;
             }
             cost[i][b] += here.cost;
-            if (chain[i]->closed && shut_in(*chain[i], here.s, i > 0 ? chain[i - 1] : nullptr, lattice, options))
+            if (chain[i]->closed &&
+                shut_in(*chain[i], here.s, i > 0 ? chain[i - 1] : nullptr, lattice, options))
                 cost[i][b] += shut_in_cost;
             if (leaves) cost[i][b] += exit_cost * distance(here.end, *exit) / options.width;
             if (i + 1 == n && onward)
@@ -210,11 +221,24 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
             const Point motion = at(before, end) - at(before, end - ahead);
             const Point mine = at(ring, seam.start + 1e-3 * options.width) - at(ring, seam.start);
             if ((dot(motion, mine) < 0) != (options.join == Join::alternating)) seam.span = -seam.span;
+        }
+        const auto cut_to = [&](double sense) {
+            Seam cut = seam;
+            cut.span =
+                std::copysign(ring.length - std::min(left * options.width, most_left * ring.length), sense);
+            return cut;
+        };
+        if (leaves_stepping) {
+            const Point next = places[i + 1][chosen[i + 1]].begin;
+            if (crosses_itself(ring, cut_to(seam.span), next, options) &&
+                !crosses_itself(ring, cut_to(-seam.span), next, options))
+                seam.span = -seam.span;
+        }
+        if (i > 0) {
             if (seam.stepped && options.turn_radius > 0)
                 seam.start += std::copysign(std::min(slant * options.spacing, ring.length / 4), seam.span);
         }
-        seam.span =
-            std::copysign(ring.length - std::min(left * options.width, most_left * ring.length), seam.span);
+        seam = cut_to(seam.span);
         if (seam.corner) seam.span = std::copysign(ring.length, seam.span);
         seams.push_back(seam);
     }
