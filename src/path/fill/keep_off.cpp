@@ -14,10 +14,13 @@ constexpr double step = 0.125;  // between places looked at
 constexpr double fresh = 1, finished = 2.5;  // of travel: sand is crossed freely before, kept off after
 constexpr double steepest = 1.5;             // how fast a push may grow along the line
 constexpr double least_push = 0.01;          // what raises no notice
+constexpr double farthest = 0.6;             // a push: more leads round something
 constexpr double enough = 0.97;              // of the distance to be kept
 constexpr double astride = 0.02;             // nearer than this there is no side to be pushed to
 constexpr double thinning = 1 / 200.0;
 constexpr int most_pushes = 4;
+constexpr double narrow = 0.5;       // mouth of a tip, also as a share of its length
+constexpr double nearly_all = 0.85;  // of a tip's sand
 
 }  // namespace
 
@@ -83,7 +86,7 @@ Polyline Trail::kept_off(const Polyline& line) const {
     struct Place {
         Point at, pushed;
         double s = 0, push = 0;
-        bool corner = false;
+        bool corner = false, squeezed = false, dropped = false;
     };
     std::vector<Place> places;
     double s = 0;
@@ -114,11 +117,35 @@ Polyline Trail::kept_off(const Polyline& line) const {
             obstacle = near(own, place.pushed, travelled);
             if (obstacle && obstacle->distance > enough * obstacle->keep) obstacle.reset();
         }
-        if (obstacle || !room_.contains(place.pushed)) place.pushed = place.at;
+        place.squeezed =
+            obstacle || (place.pushed != place.at && (!room_.contains(place.pushed) ||
+                                                      distance(place.at, place.pushed) > farthest * width_));
+        if (place.squeezed) place.pushed = place.at;
         place.push = distance(place.at, place.pushed);
-        any = any || place.push > least_push * width_;
+        any = any || place.squeezed || place.push > least_push * width_;
     }
     if (!any) return line;
+
+    // A tip into what is raked anyhow is cut off.
+    for (std::size_t i = 0, j = 0; i < places.size(); i = ++j) {
+        j = i;
+        if (!places[i].squeezed) continue;
+        while (j + 1 < places.size() && places[j + 1].squeezed) ++j;
+        if (i == 0 || j + 1 == places.size()) continue;
+        const double mouth = distance(places[i - 1].pushed, places[j + 1].pushed);
+        if (mouth > std::max(narrow * width_, narrow * (places[j].s - places[i].s))) continue;
+        int raked_places = 0, all = 0;
+        for (std::size_t k = i; k <= j; ++k) {
+            const Point ahead = normalized(places[std::min(k + 1, j)].at - places[k].at);
+            for (const double off : {-0.4, -0.2, 0.0, 0.2, 0.4}) {
+                ++all;
+                if (raked(places[k].at + off * width_ * left_normal(ahead))) ++raked_places;
+            }
+        }
+        if (raked_places < nearly_all * all) continue;
+        for (std::size_t k = i; k <= j; ++k) places[k].dropped = true;
+    }
+    std::erase_if(places, [](const Place& place) { return place.dropped; });
 
     const auto limit = [&](Place& place, const Place& beside_it) {
         place.push = std::min(place.push, beside_it.push + steepest * std::abs(place.s - beside_it.s));
