@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "path/fill/corners.hpp"
+#include "path/fill/keep_off.hpp"
 #include "path/fill/peel.hpp"
 #include "path/fill/revolve.hpp"
 #include "path/fill/seams.hpp"
@@ -17,7 +18,7 @@ constexpr double least_edge = 1e-3;    // of the width: shorter ones have no dir
 
 /// The passes of one area as they come, and the sand they have raked.
 struct Work {
-    Lattice lattice;
+    Trail trail;
     AreaIndex floor;  // of the rake's centre, with room for chords
     std::vector<Pass> passes;
 };
@@ -30,14 +31,14 @@ void go_on(Work& work, Polyline line, bool may_step, const Options& options) {
         Polyline& last = work.passes.back().line;
         const double gap = distance(last.back(), line.front());
         if (may_step && gap < longest_step * options.spacing && sees(work.floor, last.back(), line.front())) {
-            rake(work.lattice, {last.back(), line.front()}, options);
-            rake(work.lattice, line, options);
+            work.trail.add({last.back(), line.front()});
+            work.trail.add(line);
             last.insert(last.end(), line.begin(), line.end());
             return;
         }
-        if (gap > options.width) reach = way(work.lattice, last.back(), line.front());
+        if (gap > options.width) reach = work.trail.way_to(line.front());
     }
-    rake(work.lattice, line, options);
+    work.trail.add(line);
     work.passes.push_back({std::move(reach), std::move(line)});
 }
 
@@ -46,22 +47,25 @@ void revolve(Work& work, TurnedLine line, bool may_step, bool border, const Opti
     std::vector<Polyline> lasts{line.last};
     if (border) lasts = with_cut_corners(line.last, false, options);
     line.rest.insert(line.rest.end(), lasts.front().begin(), lasts.front().end());
+    if (!border) line.rest = work.trail.kept_off(line.rest);
     go_on(work, std::move(line.rest), may_step, options);
     for (std::size_t k = 1; k < lasts.size(); ++k) go_on(work, std::move(lasts[k]), false, options);
 }
 
 std::vector<Pass> wound(const std::vector<Ring>& rings, Work work, const Wish& wish, const Options& options) {
-    for (const auto& [chain, onward] : peel_of(rings, work.lattice, wish.start)) {
+    for (const auto& [chain, onward] : peel_of(rings, work.trail.lattice(), wish.start)) {
         bool may_step = false;  // within a chain only: elsewhere raked sand may lie between
         for (std::size_t i = 0; i < chain.size();) {
             const std::optional<Point> here =
                 work.passes.empty() ? wish.start : work.passes.back().line.back();
             if (!chain[i]->closed) {
                 const Ring* next = i + 1 < chain.size() ? chain[i + 1] : onward;
-                const Seam seam = seams_of({chain[i]}, next, here, wish.exit, work.lattice, options).front();
+                const Seam seam =
+                    seams_of({chain[i]}, next, here, wish.exit, work.trail.lattice(), options).front();
                 const bool spine = chain[i]->teeth.empty();
                 for (Polyline& line : passes_along(*chain[i], seam, options))
-                    go_on(work, std::move(line), spine && may_step, options);
+                    go_on(work, spine ? work.trail.kept_off(line) : std::move(line), spine && may_step,
+                          options);
                 ++i;
             } else {
                 const bool after_spine = may_step && !chain[i - 1]->closed && chain[i - 1]->teeth.empty();
@@ -84,7 +88,7 @@ Passes spiral_passes(const Region& region, const std::string& place, const Optio
     const Levels levels = levels_of(region, place, options, account);
     if (levels.room.empty()) return no_passes;
     std::vector<Ring> rings = rings_of(region, levels, options);
-    Work work{lattice_of(region, rings, options),
+    Work work{Trail(lattice_of(region, rings, options), levels.room, options),
               AreaIndex(inset({region}, (0.5 - floor_margin) * options.width)),
               {}};
     return [rings = std::move(rings), work = std::move(work), options](const Wish& wish) {
