@@ -14,7 +14,8 @@ constexpr double most_cells = 3e7;     // some 300 MB
 constexpr double largest_fine = 2e5;   // of width^2: larger areas get the coarse cells
 constexpr double owned_within = 0.75;  // of the width: past half of it lie the gaps between rings
 constexpr int least_contact = 3;       // cell edges: less is a touch of two corners
-constexpr float raked_price = 15, outer_price = 60;  // ways over a cell, as multiples of a free one
+constexpr float raked_price = 15, edge_price = 3,
+                outer_price = 60;  // ways over a cell, as multiples of a free one
 
 int column(const Lattice& l, double x) {
     return std::clamp(static_cast<int>((x - l.origin.x) / l.cell), 0, l.columns - 1);
@@ -55,7 +56,7 @@ void near_segment(const Lattice& l, Point a, Point b, double reach, Visit visit)
 
 float price(const Lattice& l, int cell) {
     const auto c = static_cast<std::size_t>(cell);
-    return !l.inside[c] ? outer_price : l.raked[c] ? raked_price : 1;
+    return !l.inside[c] ? outer_price : l.raked[c] == 2 ? raked_price : l.raked[c] == 1 ? edge_price : 1;
 }
 
 /// What a straight way costs, cell by cell.
@@ -130,18 +131,19 @@ std::vector<Contact> contacts(const Lattice& l) {
 
 void rake(Lattice& l, const Polyline& line, const Options& options) {
     if (l.inside.empty()) return;
+    const double half = options.width / 2, reach = half + l.cell / 2;
     for (std::size_t i = 1; i < line.size(); ++i)
-        near_segment(l, line[i - 1], line[i], options.width / 2,
-                     [&](int cell, double) { l.raked[static_cast<std::size_t>(cell)] = 1; });
+        near_segment(l, line[i - 1], line[i], reach, [&](int cell, double dd) {
+            char& raked = l.raked[static_cast<std::size_t>(cell)];
+            raked = std::max<char>(raked, dd < half * half ? 2 : 1);
+        });
 }
 
 bool is_raked(const Lattice& l, Point p) {
-    return !l.raked.empty() && l.raked[static_cast<std::size_t>(index(l, p))] != 0;
+    return !l.raked.empty() && l.raked[static_cast<std::size_t>(index(l, p))] == 2;
 }
 
-bool is_free(const Lattice& l, Point p) {
-    return l.raked.empty() || price(l, index(l, p)) == 1;
-}
+bool is_free(const Lattice& l, Point p) { return l.raked.empty() || price(l, index(l, p)) < raked_price; }
 
 Polyline way(const Lattice& l, Point from, Point to) {
     if (l.inside.empty()) return {};

@@ -12,7 +12,7 @@ struct Lattice {
     int columns = 0, rows = 0;
     std::vector<char> inside;  // of the area, by the cell's centre
     std::vector<int> owner;    // the ring nearest to the cell's centre, within three quarters of a width; -1
-    std::vector<char> raked;
+    std::vector<char> raked;   // 2; 1: its centre is not, but parts of it may be
 };
 
 /// Side by side: the number of cell edges that two rings share. first < second; sorted.
