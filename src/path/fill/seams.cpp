@@ -149,6 +149,13 @@ bool crosses_itself(const Ring& ring, const Seam& seam, Point next, const Option
     return false;
 }
 
+/// Whether a ring that is closed is left onward, over what it raked first; else over what it raked last.
+bool leaves_ahead(const Ring& ring, const Seam& seam, Point next, const Options& options) {
+    const double ahead = std::copysign(options.width / 4, seam.span);
+    const Point end = at(ring, seam.start + seam.span);
+    return !seam.corner && dot(next - end, at(ring, seam.start + seam.span + ahead) - end) > 0;
+}
+
 /// Whether there is no sand beside the ring at arc length s that is still to be raked.
 bool shut_in(const Ring& ring, double s, const Ring* before, const Lattice& lattice, const Options& options) {
     const double w = options.width;
@@ -228,11 +235,13 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
                 std::copysign(ring.length - std::min(left * options.width, most_left * ring.length), sense);
             return cut;
         };
-        if (leaves_stepping) {
+        if (i + 1 < n && (i == 0 || (options.turn_radius == 0 && options.join != Join::alternating))) {
             const Point next = places[i + 1][chosen[i + 1]].begin;
-            if (crosses_itself(ring, cut_to(seam.span), next, options) &&
-                !crosses_itself(ring, cut_to(-seam.span), next, options))
-                seam.span = -seam.span;
+            const auto meets_itself = [&](double sense) {
+                return leaves_stepping ? crosses_itself(ring, cut_to(sense), next, options)
+                                       : leaves_ahead(ring, cut_to(sense), next, options);
+            };
+            if (meets_itself(seam.span) && !meets_itself(-seam.span)) seam.span = -seam.span;
         }
         if (i > 0) {
             if (seam.stepped && options.turn_radius > 0)
