@@ -32,7 +32,7 @@ std::uint64_t Trail::cell(Point p) const {
     return part(p.x) << 32U | part(p.y);
 }
 
-void Trail::enter(const Polyline& line, double travelled, Cells& cells) const {
+void Trail::enter(const Polyline& line, double travelled, Edges& edges) const {
     if (line.size() < 2) return;
     const double whole = length(line);
     const End start{line.front(), normalized(line[0] - line[1])};
@@ -49,21 +49,25 @@ void Trail::enter(const Polyline& line, double travelled, Cells& cells) const {
                       {}};
             if (s + long_ * k / parts < width_) edge.start = start;
             if (whole - s - long_ * (k + 1) / parts < width_) edge.end = end;
-            const Box box = grown(bounds({edge.from, edge.to}), beside * width_);
+            const auto number = static_cast<std::uint32_t>(edges.all.size());
+            edges.all.push_back(edge);
+            const double reach = beside * width_;
+            const Box box = grown(including(including({}, edge.from), edge.to), reach);
             for (double x = std::floor(box.low.x / width_); x <= std::floor(box.high.x / width_); ++x)
                 for (double y = std::floor(box.low.y / width_); y <= std::floor(box.high.y / width_); ++y)
-                    cells[cell({(x + 0.5) * width_, (y + 0.5) * width_})].push_back(edge);
+                    edges.near[cell({(x + 0.5) * width_, (y + 0.5) * width_})].push_back(number);
         }
         s += long_;
     }
 }
 
-std::optional<Trail::Near> Trail::near(const Cells& own, Point p, double travelled) const {
+std::optional<Trail::Near> Trail::near(const Edges& own, Point p, double travelled) const {
     std::optional<Near> nearest;
-    for (const Cells* cells : {&raked_, &own}) {
-        const auto here = cells->find(cell(p));
-        if (here == cells->end()) continue;
-        for (const Edge& edge : here->second) {
+    for (const Edges* edges : {&raked_, &own}) {
+        const auto here = edges->near.find(cell(p));
+        if (here == edges->near.end()) continue;
+        for (const std::uint32_t number : here->second) {
+            const Edge& edge = edges->all[number];
             if (travelled - edge.travelled < fresh * width_) continue;
             const Point u = edge.to - edge.from;
             const double uu = dot(u, u), t = uu > 0 ? dot(p - edge.from, u) / uu : 0;
@@ -103,7 +107,7 @@ Polyline Trail::kept_off(const Polyline& line) const {
         places.push_back({line[i], {}, s, 0, true});
     }
     const double start = travelled_ + (end_ ? distance(*end_, line.front()) : 0);
-    Cells own;
+    Edges own;
     enter(line, start, own);
 
     bool any = false;

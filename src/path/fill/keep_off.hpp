@@ -21,8 +21,8 @@ class Trail {
     /// sand, are squeezed between two raked passes or would leave the room stay. O(length / width x passes
     /// near by).
     Polyline kept_off(const Polyline& line) const;
-    /// The way from the end of the last line to a point: that of the lattice, over which the end of the line is
-    /// no obstacle: what was raked just now is not finished yet.
+    /// The way from the end of the last line to a point: that of the lattice, over which the end of the line
+    /// is no obstacle: what was raked just now is not finished yet.
     Polyline way_to(Point p) const { return way(lattice_, *end_, p); }
     bool raked(Point p) const;
     void add(const Polyline& line);
@@ -42,18 +42,21 @@ class Trail {
         double distance;
         double keep;  // the distance to be kept
     };
-    using Cells = std::unordered_map<std::uint64_t, std::vector<Edge>>;
+    struct Edges {
+        std::vector<Edge> all;
+        std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> near;  // by cells of a width
+    };
 
-    void enter(const Polyline& line, double travelled, Cells& cells) const;
+    void enter(const Polyline& line, double travelled, Edges& edges) const;
     /// What is nearest in its own measure: distance less what is to be kept.
-    std::optional<Near> near(const Cells& own, Point p, double travelled) const;
+    std::optional<Near> near(const Edges& own, Point p, double travelled) const;
     std::uint64_t cell(Point p) const;
 
     Lattice lattice_;  // without the latest
     AreaIndex room_;
     Options options_;
     double width_;
-    Cells raked_;
+    Edges raked_;
     Polyline latest_;
     double travelled_ = 0;
     std::optional<Point> end_;
