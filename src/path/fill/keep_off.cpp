@@ -87,6 +87,7 @@ std::optional<Trail::Near> Trail::near(const Edges& own, Point p, double travell
 }
 
 Polyline Trail::kept_off(const Polyline& line) const {
+    if (options_.masked) return line;
     struct Place {
         Point at, pushed;
         double s = 0, push = 0;

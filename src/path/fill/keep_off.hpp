@@ -18,7 +18,8 @@ class Trail {
     /// The line, pushed away where it runs on the sand of earlier lines or of its own: to just beside their
     /// edge, on the side where it lies. What it no longer rakes there is raked already, and what it rakes
     /// beyond is left for it by the next pass, so as much is raked as before. Stretches that cross raked
-    /// sand, are squeezed between two raked passes or would leave the room stay. O(length / width x passes
+    /// sand, are squeezed between two raked passes or would leave the room stay, and so do all where pins are
+    /// lifted over raked sand. O(length / width x passes
     /// near by).
     Polyline kept_off(const Polyline& line) const;
     /// The way from the end of the last line to a point: that of the lattice, over which the end of the line
