@@ -191,7 +191,7 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
                 if (total < cost[i][b]) cost[i][b] = total, came[i][b] = a;
             }
             cost[i][b] += here.cost;
-            if (chain[i]->closed &&
+            if (!options.masked && chain[i]->closed &&
                 shut_in(*chain[i], here.s, i > 0 ? chain[i - 1] : nullptr, lattice, options))
                 cost[i][b] += shut_in_cost;
             if (leaves) cost[i][b] += exit_cost * distance(here.end, *exit) / options.width;
@@ -235,7 +235,8 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
                 std::copysign(ring.length - std::min(left * options.width, most_left * ring.length), sense);
             return cut;
         };
-        if (i + 1 < n && (i == 0 || (options.turn_radius == 0 && options.join != Join::alternating))) {
+        if (!options.masked && i + 1 < n &&
+            (i == 0 || (options.turn_radius == 0 && options.join != Join::alternating))) {
             const Point next = places[i + 1][chosen[i + 1]].begin;
             const auto meets_itself = [&](double sense) {
                 return leaves_stepping ? crosses_itself(ring, cut_to(sense), next, options)
