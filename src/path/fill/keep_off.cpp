@@ -183,6 +183,11 @@ bool Trail::raked(Point p) const {
 
 void Trail::add(const Polyline& line) {
     if (line.size() < 2) return;
+    if (options_.masked) {
+        rake(lattice_, line, options_);
+        end_ = line.back();
+        return;
+    }
     if (end_) travelled_ += distance(*end_, line.front());
     enter(line, travelled_, raked_);
     const double long_ = length(line), finished_to = std::max(0.0, long_ - fresh * width_);

@@ -131,7 +131,9 @@ std::vector<Contact> contacts(const Lattice& l) {
 
 void rake(Lattice& l, const Polyline& line, const Options& options) {
     if (l.inside.empty()) return;
-    const double half = options.width / 2, reach = half + l.cell / 2;
+    const double half = options.width / 2;
+    // Where pins lift, sand that is raked in part is as good as bare.
+    const double reach = options.masked ? half : half + l.cell / 2;
     for (std::size_t i = 1; i < line.size(); ++i)
         near_segment(l, line[i - 1], line[i], reach, [&](int cell, double dd) {
             char& raked = l.raked[static_cast<std::size_t>(cell)];
