@@ -21,8 +21,16 @@ constexpr double thinning = 1 / 200.0;
 constexpr int most_pushes = 4;
 constexpr double narrow = 0.5;       // mouth of a tip, also as a share of its length
 constexpr double nearly_all = 0.85;  // of a tip's sand
+constexpr double most_area = 2e5;    // widths squared: each takes some hundred bytes
 
 }  // namespace
+
+Trail::Trail(Lattice lattice, const Regions& room, const Options& options)
+    : lattice_(std::move(lattice)), room_(room), options_(options), width_(options.width) {
+    const double cells = static_cast<double>(lattice_.inside.size());
+    watched_ =
+        !options.masked && cells > 0 && cells * lattice_.cell * lattice_.cell < most_area * width_ * width_;
+}
 
 std::uint64_t Trail::cell(Point p) const {
     const auto part = [&](double x) {
@@ -87,7 +95,7 @@ std::optional<Trail::Near> Trail::near(const Edges& own, Point p, double travell
 }
 
 Polyline Trail::kept_off(const Polyline& line) const {
-    if (options_.masked) return line;
+    if (!watched_) return line;
     struct Place {
         Point at, pushed;
         double s = 0, push = 0;
@@ -183,7 +191,7 @@ bool Trail::raked(Point p) const {
 
 void Trail::add(const Polyline& line) {
     if (line.size() < 2) return;
-    if (options_.masked) {
+    if (!watched_) {
         rake(lattice_, line, options_);
         end_ = line.back();
         return;

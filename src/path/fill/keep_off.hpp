@@ -11,15 +11,14 @@ namespace strandline::fill {
 class Trail {
   public:
     /// `room`: where the centre of the rake may be. `lattice`: nothing in it is raked yet.
-    Trail(Lattice lattice, const Regions& room, const Options& options)
-        : lattice_(std::move(lattice)), room_(room), options_(options), width_(options.width) {}
+    Trail(Lattice lattice, const Regions& room, const Options& options);
     const Lattice& lattice() const { return lattice_; }
 
     /// The line, pushed away where it runs on the sand of earlier lines or of its own: to just beside their
     /// edge, on the side where it lies. What it no longer rakes there is raked already, and what it rakes
     /// beyond is left for it by the next pass, so as much is raked as before. Stretches that cross raked
     /// sand, are squeezed between two raked passes or would leave the room stay, and so do all where pins are
-    /// lifted over raked sand. O(length / width x passes
+    /// lifted over raked sand, and in areas of more than 200,000 widths squared. O(length / width x passes
     /// near by).
     Polyline kept_off(const Polyline& line) const;
     /// The way from the end of the last line to a point: that of the lattice, over which the end of the line
@@ -57,6 +56,7 @@ class Trail {
     AreaIndex room_;
     Options options_;
     double width_;
+    bool watched_;  // whether lines are kept off and known for it
     Edges raked_;
     Polyline latest_;
     double travelled_ = 0;
