@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -12,7 +13,6 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <sstream>
 
 namespace strandline::cli {
 namespace {
@@ -32,9 +32,10 @@ Outcome<std::string> read_input(const std::string& path) {
     if (std::filesystem::is_directory(path, code)) return fail(path, "is a folder", "name a file");
     std::ifstream file(path, std::ios::binary);
     if (!file) return fail(path, std::string("cannot be read: ") + std::strerror(errno), "check the name");
-    std::ostringstream text;
-    text << file.rdbuf();
-    std::string bytes = std::move(text).str();
+    std::string bytes;
+    std::array<char, 1U << 16U> part;
+    while (file.read(part.data(), part.size()), file.gcount() > 0)
+        bytes.append(part.data(), static_cast<std::size_t>(file.gcount()));
     if (file.bad()) return fail(path, "reading stopped half-way");
     return bytes;
 }

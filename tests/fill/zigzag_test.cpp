@@ -175,5 +175,23 @@ TEST(FillZigzag, AnInsetOfThePartsLeavesSandBetweenThem) {
     EXPECT_LT(areas::judged(areas::ring(), fill, 0.4).spill, 0.001);
 }
 
+TEST(FillZigzag, ACellBetweenTwoOutermostRingsIsRakedAllTheSame) {
+    // Two rooms and a neck a hair narrower than the rake: whatever is raked next parts what is left.
+    const Region hall = areas::of({{{0, -0.6},
+                                    {1.5, -0.6},
+                                    {1.5, -0.1995},
+                                    {1.55, -0.1995},
+                                    {1.55, -0.6},
+                                    {3, -0.6},
+                                    {3, 0.6},
+                                    {1.55, 0.6},
+                                    {1.55, 0.1995},
+                                    {1.5, 0.1995},
+                                    {1.5, 0.6},
+                                    {0, 0.6}}});
+    const Fill fill = fill_region(hall, 0, "hall", areas::with(Style::zigzag));
+    EXPECT_GT(areas::judged(hall, fill, 0.4).coverage, 0.95);
+}
+
 }  // namespace
 }  // namespace strandline::fill

@@ -66,6 +66,26 @@ TEST(Pipeline, PinsLiftOverRakedSandUnlessToldNotTo) {
     EXPECT_LT(twice(*lifted), twice(*solid) / 2);
 }
 
+TEST(Pipeline, AnAreaTooLargeForSinglePinsIsRakedWithAllAndSaysSo) {
+    Robot robot = *builtin_robot("beachbot");
+    robot.pin_pitch = 0.002;
+    robot.rake_offset = 0;
+    robot.min_radius = 0;
+    Options options;
+    options.drawing.tolerance = 0.002;
+    const auto plan = make_plan({R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
+        <rect id="wide" width="100" height="60"/></svg>)",
+                                 "wide.svg"},
+                                robot, options, {});
+    ASSERT_TRUE(plan) << sentence(plan.error());
+    EXPECT_GE(plan->figures.fallbacks, 1);
+    EXPECT_TRUE(std::ranges::any_of(plan->warnings, [](const Warning& warning) {
+        return warning.place == "wide" && warning.reason.find("too large to lift pins") != std::string::npos;
+    }));
+    for (const Sample& sample : plan->samples)
+        ASSERT_TRUE(sample.mask == 0 || sample.mask == pin_mask(plan->robot, plan->robot.pins));
+}
+
 TEST(Pipeline, EveryMutationOfARealPlanIsNamed) {
     const auto plan = planned("beachbot");
     ASSERT_TRUE(plan);

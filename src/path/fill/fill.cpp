@@ -180,11 +180,10 @@ void put(std::vector<Pass> passes, int element, const Options& options, Target& 
     }
 }
 
-/// Offers what wishes lead to, where that is apart in start or exit from all that is there.
-void add_variants(const Region& region, int element, const Passes& planned, const Options& options,
-                  Fill& fill) {
-    const std::vector<Pass> first = planned({});
-    if (first.empty()) return;
+/// Offers what wishes lead to, where that is apart in start or exit from `first` and from each other.
+void add_variants(const Region& region, int element, const std::vector<Pass>& first, const Passes& planned,
+                  const Options& options, Fill& fill) {
+    if (options.variants <= 0 || first.empty()) return;
     const double length = driven(first);
     if (length > most_varied * options.width) return;
     std::vector<std::pair<Point, Point>> ends{{first.front().line.front(), first.back().line.back()}};
@@ -235,6 +234,8 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
     if (options.one_stroke) options.pivots = false;  // a cut corner is a lift
     Fill fill;
     fill.area = area(region);
+    if (options.style != Style::zigzag && !(options.cuts.empty() && options.segments.empty()))
+        fill.warnings.push_back({place, "cuts and segments are for zigzag: they are left aside"});
     const Passes passes_of = (options.style == Style::zigzag   ? zigzag_passes
                               : options.style == Style::spiral ? spiral_passes
                                                                : ring_passes)(region, place, options, fill);
@@ -259,10 +260,9 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
     };
     passes = finished(std::move(passes));
     for (const Pass& pass : passes) fill.swept += length(pass.line) * options.width;
+    add_variants(
+        region, element, passes, [&](const Wish& wish) { return finished(passes_of(wish)); }, options, fill);
     put(std::move(passes), element, options, fill);
-    if (options.variants > 0)
-        add_variants(
-            region, element, [&](const Wish& wish) { return finished(passes_of(wish)); }, options, fill);
     if (options.account) fill.account = account_of(region, fill.strokes, fill.ways, options);
     return fill;
 }

@@ -21,15 +21,14 @@ constexpr double thinning = 1 / 200.0;
 constexpr int most_pushes = 4;
 constexpr double narrow = 0.5;       // mouth of a tip, also as a share of its length
 constexpr double nearly_all = 0.85;  // of a tip's sand
-constexpr double most_area = 2e5;    // widths squared: each takes some hundred bytes
 
 }  // namespace
 
 Trail::Trail(Lattice lattice, const Regions& room, const Options& options)
     : lattice_(std::move(lattice)), room_(room), options_(options), width_(options.width) {
     const double cells = static_cast<double>(lattice_.inside.size());
-    watched_ =
-        !options.masked && cells > 0 && cells * lattice_.cell * lattice_.cell < most_area * width_ * width_;
+    watched_ = !options.masked && cells > 0 &&
+               cells * lattice_.cell * lattice_.cell < largest_fine * width_ * width_;
 }
 
 std::uint64_t Trail::cell(Point p) const {

@@ -18,7 +18,7 @@ class Trail {
     /// edge, on the side where it lies. What it no longer rakes there is raked already, and what it rakes
     /// beyond is left for it by the next pass, so as much is raked as before. Stretches that cross raked
     /// sand, are squeezed between two raked passes or would leave the room stay, and so do all where pins are
-    /// lifted over raked sand, and in areas of more than 200,000 widths squared. O(length / width x passes
+    /// lifted over raked sand, and in areas whose box is more than `largest_fine`. O(length / width x passes
     /// near by).
     Polyline kept_off(const Polyline& line) const;
     /// The way from the end of the last line to a point: that of the lattice, over which the end of the line

@@ -11,7 +11,6 @@ namespace {
 
 constexpr int cells_a_width = 4, coarse_cells = 2;
 constexpr double most_cells = 3e7;     // some 300 MB
-constexpr double largest_fine = 2e5;   // of width^2: larger areas get the coarse cells
 constexpr double owned_within = 0.75;  // of the width: past half of it lie the gaps between rings
 constexpr int least_contact = 3;       // cell edges: less is a touch of two corners
 constexpr float raked_price = 15, edge_price = 3,
@@ -70,12 +69,19 @@ float straight_cost(const Lattice& l, Point a, Point b) {
 
 }  // namespace
 
-Lattice lattice_of(const Region& region, const std::vector<Ring>& rings, const Options& options) {
+Lattice lattice_of(const Region& region, const std::vector<Ring>& rings, const std::string& place,
+                   const Options& options, Fill& account) {
     const Box box = bounds(region);
     Lattice l;
     const double widths = box.width() * box.height() / (options.width * options.width);
     l.cell = options.width / (widths > largest_fine ? coarse_cells : cells_a_width);
-    if (widths * coarse_cells * coarse_cells > most_cells) return {};
+    if (widths * coarse_cells * coarse_cells > most_cells) {
+        account.warnings.push_back(
+            {place,
+             "is so large for so narrow a rake that ways between its rings are straight "
+             "and may cross raked sand; a smaller canvas or a wider rake avoids that"});
+        return {};
+    }
     l.origin = box.low - Point{l.cell, l.cell};
     l.columns = static_cast<int>(box.width() / l.cell) + 3;
     l.rows = static_cast<int>(box.height() / l.cell) + 3;

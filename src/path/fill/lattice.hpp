@@ -20,9 +20,13 @@ struct Contact {
     int first = 0, second = 0, edges = 0;
 };
 
-/// Empty where that would be more than thirty million cells: then nothing counts as raked, no rings touch,
-/// and all ways are straight. O(cells + ring length / cell).
-Lattice lattice_of(const Region& region, const std::vector<Ring>& rings, const Options& options);
+/// Widths squared of an area's box: in larger ones the cells are coarse and passes are not kept off raked
+/// sand.
+inline constexpr double largest_fine = 2e5;
+/// Empty, with a warning, where that would be more than thirty million cells: then nothing counts as raked,
+/// no rings touch, and all ways are straight. O(cells + ring length / cell).
+Lattice lattice_of(const Region& region, const std::vector<Ring>& rings, const std::string& place,
+                   const Options& options, Fill& account);
 std::vector<Contact> contacts(const Lattice& lattice);
 /// Marks what the rake covers on its way along a line.
 void rake(Lattice& lattice, const Polyline& line, const Options& options);

@@ -187,7 +187,7 @@ Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice, std::option
 
 namespace {
 
-/// The rings in the order of their peel, with the ways between. Marks the lattice.
+/// The rings in the order of their peel, with the ways between.
 std::vector<Pass> raked(const std::vector<Ring>& rings, Trail trail, const Wish& wish,
                         const Options& options) {
     std::vector<Pass> passes;
@@ -202,9 +202,13 @@ std::vector<Pass> raked(const std::vector<Ring>& rings, Trail trail, const Wish&
                 for (const Polyline& line : lines) meets.push_back(meets_raked(line, trail, options.width));
             for (std::size_t k = 0; k < lines.size(); ++k) {
                 Polyline& line = lines[k];
-                if (line.size() < 2) continue;
                 // The border stays where it makes the outline crisp; teeth end flush with raked sand.
-                if (chain[i]->level > 0 && chain[i]->teeth.empty()) line = trail.kept_off(line);
+                if (line.size() > 1 && chain[i]->level > 0 && chain[i]->teeth.empty())
+                    line = trail.kept_off(line);
+                if (line.size() < 2) {
+                    joined = false;
+                    continue;
+                }
                 Polyline reach;
                 if (k > 0 && k < meets.size() && (meets[k - 1].second || meets[k].first))
                     reach = way_off_raked(passes.back().line, line, options.width);
@@ -233,12 +237,7 @@ Passes ring_passes(const Region& region, const std::string& place, const Options
     const Levels levels = levels_of(region, place, options, account);
     if (levels.room.empty()) return no_passes;
     std::vector<Ring> rings = rings_of(region, levels, options);
-    Lattice lattice = lattice_of(region, rings, options);
-    if (lattice.inside.empty())
-        account.warnings.push_back(
-            {place,
-             "is so large for so narrow a rake that ways between its rings are straight "
-             "and may cross raked sand; a smaller canvas or a wider rake avoids that"});
+    Lattice lattice = lattice_of(region, rings, place, options, account);
     return [rings = std::move(rings), trail = Trail(std::move(lattice), levels.room, options),
             options](const Wish& wish) { return raked(rings, trail, wish, options); };
 }

@@ -88,7 +88,7 @@ Passes spiral_passes(const Region& region, const std::string& place, const Optio
     const Levels levels = levels_of(region, place, options, account);
     if (levels.room.empty()) return no_passes;
     std::vector<Ring> rings = rings_of(region, levels, options);
-    Work work{Trail(lattice_of(region, rings, options), levels.room, options),
+    Work work{Trail(lattice_of(region, rings, place, options, account), levels.room, options),
               AreaIndex(inset({region}, (0.5 - floor_margin) * options.width)),
               {}};
     return [rings = std::move(rings), work = std::move(work), options](const Wish& wish) {

@@ -63,15 +63,20 @@ bool leads_on(const Plan& plan, const std::vector<bool>& done, int stop, int uni
 Entry next_entry(const Plan& plan, const std::vector<bool>& done, int left, int here, Router& router,
                  const Wish& wish, const Options& options) {
     const Ties ties = ties_of(plan, done);
-    const auto may = [&](int u) {
-        if (done[u]) return false;
-        if (plan.units[u].outermost) return ties.group_size[u] == 1;
-        return !ties.needed[u];
-    };
+    const auto units = static_cast<int>(plan.units.size());
+    std::vector<bool> may(plan.units.size(), false);
+    for (int u = 0; u < units; ++u)
+        may[u] = !done[u] && (plan.units[u].outermost ? ties.group_size[u] == 1 : !ties.needed[u]);
+    // A cell that holds two outermost rings together parts what is left; so be it.
+    const auto none = [&] { return std::ranges::none_of(may, std::identity{}); };
+    if (none())
+        for (int u = 0; u < units; ++u) may[u] = !done[u] && !plan.units[u].ring;
+    if (none())
+        for (int u = 0; u < units; ++u) may[u] = !done[u];
     std::vector<std::vector<Entry>> at_stop(plan.corridors.stops.size());
     Entry best;
-    for (int u = 0; u < static_cast<int>(plan.units.size()); ++u) {
-        if (!may(u)) continue;
+    for (int u = 0; u < units; ++u) {
+        if (!may[u]) continue;
         for (Entry& entry : entries_of(plan, u)) {
             if (left > 1 && !leads_on(plan, done, entry.end, u)) entry.cost += dead_end_cost * options.width;
             if (plan.units[u].ring)
@@ -79,7 +84,7 @@ Entry next_entry(const Plan& plan, const std::vector<bool>& done, int left, int 
                               std::ranges::count_if(plan.neighbours[u], [&](int v) { return !done[v]; });
             if (left == 1 && wish.exit)
                 entry.cost += exit_cost * distance(plan.corridors.stops[entry.end].at, *wish.exit);
-            if (here < 0 && wish.start)
+            if (left == units && wish.start)
                 entry.cost += distance(plan.corridors.stops[entry.stop].at, *wish.start);
             at_stop[entry.stop].push_back(entry);
         }
@@ -106,8 +111,8 @@ Entry next_entry(const Plan& plan, const std::vector<bool>& done, int left, int 
                     offer(entry, distance(from, plan.corridors.stops[entry.stop].at));
     }
     if (best.unit < 0)  // rings that nothing comes near
-        for (int u = 0; u < static_cast<int>(plan.units.size()) && best.unit < 0; ++u)
-            if (may(u)) best = {u, -1, -1, false, false, 0, {}};
+        for (int u = 0; u < units && best.unit < 0; ++u)
+            if (may[u]) best = {u, -1, -1, false, false, 0, {}};
     return best;
 }
 

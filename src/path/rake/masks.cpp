@@ -17,7 +17,13 @@ Raster raster_for(Box box, const Rake& rake) {
     return raster_over(grown(box, rake.width), rake.width / (samples_a_pin * rake.pins));
 }
 
+bool sees(const Raster& raster, const Rake& rake) {
+    return raster.cell * least_cells_a_pin <= rake.width / rake.pins;
+}
+
 }  // namespace
+
+bool sees_single_pins(Box area, const Rake& rake) { return sees(raster_for(area, rake), rake); }
 
 std::vector<PinSpans> pin_masks(const Regions& regions, const std::vector<Stroke>& strokes,
                                 const std::vector<Polyline>& ways, const Rake& rake) {
@@ -27,8 +33,7 @@ std::vector<PinSpans> pin_masks(const Regions& regions, const std::vector<Stroke
         tracks.push_back(track_of(stroke.rake_path, rake.tolerance));
         box = united(box, bounds(tracks.back().line));
     }
-    // Room for the whole rake and a cell beside it: samples need no look at the borders.
-    const Raster raster = raster_over(grown(box, rake.width), rake.width / (samples_a_pin * rake.pins));
+    const Raster raster = raster_for(box, rake);
     const auto steps = pin_steps(tracks, ways, raster, longest_step);
     Masker<PinStep> masker(regions, raster, rake);
     std::vector<std::vector<unsigned>> visitors;
@@ -62,7 +67,7 @@ std::optional<std::vector<DrivenMasks>> driven_masks(const Regions& regions, con
     for (const Driven& go : goes)
         for (const Pose& pose : go.bar) box = united(box, {pose.at, pose.at});
     const Raster raster = raster_for(box, rake);
-    if (raster.cell * least_cells_a_pin > rake.width / rake.pins) return {};
+    if (!sees(raster, rake)) return {};
     std::vector<std::vector<BarStep>> steps;
     for (const Driven& go : goes) steps.push_back(bar_steps(go, raster));
     Masker<BarStep> masker(regions, raster, rake);

@@ -87,8 +87,10 @@ struct Driven {
     double before = 0;  ///< metres driven before it
 };
 using DrivenMasks = std::vector<unsigned>;  ///< from each pose to the next: one less than poses
-/// The same from the bar's true track: for each go which pins are to be down. Of the rake: width, pins.
-/// Nothing where the raster of so large an area would be too coarse to see single pins.
+/// Whether the raster of an area of that size is fine enough for single pins. Of the rake: width, pins.
+bool sees_single_pins(Box area, const Rake& rake);
+/// The same from the bar's true track: for each go which pins are to be down. Of the rake: width, pins,
+/// price. Nothing where the raster would be too coarse to see single pins.
 std::optional<std::vector<DrivenMasks>> driven_masks(const Regions& regions, const std::vector<Driven>& goes,
                                                      const Rake& rake);
 

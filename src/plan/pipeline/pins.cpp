@@ -55,6 +55,12 @@ bool lifts_pins(const Options& options, const Robot& robot) {
     return options.fill.lift_pins && robot.pins > 1;
 }
 
+bool sees_pins(const Region& region, const Robot& robot) {
+    // A turn's width round it: passes reach outside.
+    return rake::sees_single_pins(grown(bounds(region), robot.rake_width()),
+                                  {.width = robot.rake_width(), .pins = robot.pins});
+}
+
 Warnings lift_pins(std::vector<Sample>& samples, const std::vector<Stroke>& strokes, const Drawing& drawing,
                    const Robot& robot, const Options& options) {
     Warnings warnings;
@@ -63,6 +69,7 @@ Warnings lift_pins(std::vector<Sample>& samples, const std::vector<Stroke>& stro
         const Options own = options_for(element, options);
         if (!lifts_pins(own, robot)) continue;
         const Region& region = std::get<RegionElement>(element.what).region;
+        if (!sees_pins(region, robot)) continue;  // said when it was filled
         const Regions sand =
             own.fill.narrow == "warn" ? Regions{region} : rake::visible(region, robot.pin_pitch);
         const auto masks = rake::driven_masks(

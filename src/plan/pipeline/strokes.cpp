@@ -124,6 +124,10 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
     if (options.fill.spacing > robot.rake_width())
         strokes.warnings.push_back({"fill.spacing", fmt::format("{} m is wider than the rake: {} m is used",
                                                                 options.fill.spacing, robot.rake_width())});
+    const auto fall_back = [&](const std::string& place, std::string what) {
+        ++strokes.fallbacks;
+        strokes.warnings.push_back({place, std::move(what)});
+    };
     for (std::size_t i = 0; i < drawing.elements.size(); ++i) {
         progress.report("filling", static_cast<double>(i) / static_cast<double>(drawing.elements.size()));
         const Element& element = drawing.elements[i];
@@ -146,18 +150,22 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
             if (auto cuts = fill::cuts_of(wanted.fill.cuts, element.id + ", fill.cuts"))
                 filling.cuts = std::move(*cuts);
             else
-                strokes.warnings.push_back(
-                    {cuts.error().place,
-                     fmt::format("{}: no cut is made; {}", cuts.error().reason, cuts.error().remedy)});
+                fall_back(cuts.error().place,
+                          fmt::format("{}: no cut is made; {}", cuts.error().reason, cuts.error().remedy));
             if (auto segments =
                     fill::segment_choices_of(wanted.fill.segments, element.id + ", fill.segments"))
                 filling.segments = std::move(*segments);
             else
-                strokes.warnings.push_back(
-                    {segments.error().place, fmt::format("{}: no segment has its own direction or style; {}",
-                                                         segments.error().reason, segments.error().remedy)});
-            fill::Fill filled =
-                fill::fill_region(std::get<RegionElement>(element.what).region, index, element.id, filling);
+                fall_back(segments.error().place,
+                          fmt::format("{}: no segment has its own direction or style; {}",
+                                      segments.error().reason, segments.error().remedy));
+            const Region& region = std::get<RegionElement>(element.what).region;
+            if (filling.masked && !sees_pins(region, robot)) {
+                filling.masked = false;
+                if (wanted.fill.spacing <= 0) filling.spacing = default_spacing * filling.width;
+                fall_back(element.id, "is too large to lift pins one by one; all are down together");
+            }
+            fill::Fill filled = fill::fill_region(region, index, element.id, filling);
             strokes.fallbacks += static_cast<int>(filled.warnings.size());
             strokes.warnings.insert(strokes.warnings.end(), filled.warnings.begin(), filled.warnings.end());
             group.work.strokes = std::move(filled.strokes);
