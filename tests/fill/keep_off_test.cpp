@@ -23,8 +23,9 @@ Region field_of_holes(std::uint64_t seed) {
 
 rake::Account accounted(const Region& region, Style style) {
     Options options = areas::with(style);
-    options.pivots = options.account = true;
-    return *fill_region(region, 0, "area", options).account;
+    options.pivots = true;
+    const Fill fill = fill_region(region, 0, "area", options);
+    return account_of(region, fill.strokes, fill.ways, options);
 }
 
 /// Of ten fields.

@@ -99,9 +99,8 @@ TEST(FillZigzag, OneStrokeNeverLifts) {
 }
 
 TEST(FillZigzag, HardlyAnyWayAroundAHoleGoesOverRakedSand) {
-    Options options = lifted();
-    options.account = true;
-    EXPECT_LE(fill_region(areas::ring(), 0, "area", options).account->drives_over, 2);
+    const Fill fill = fill_region(areas::ring(), 0, "area", lifted());
+    EXPECT_LE(account_of(areas::ring(), fill.strokes, fill.ways, lifted()).drives_over, 2);
 }
 
 TEST(FillZigzag, ZigzagLinesRunInTheGivenDirection) {

@@ -263,7 +263,6 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
     add_variants(
         region, element, passes, [&](const Wish& wish) { return finished(passes_of(wish)); }, options, fill);
     put(std::move(passes), element, options, fill);
-    if (options.account) fill.account = account_of(region, fill.strokes, fill.ways, options);
     return fill;
 }
 

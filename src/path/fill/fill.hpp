@@ -63,12 +63,11 @@ struct Options {
         false;  ///< the rake never lifts inside the region, even if it must rake over raked sand
     bool rake_turns =
         true;  ///< zigzag: the rake stays down from line to line where that stays inside; false: it is lifted
-    bool pivots = false;   ///< the vehicle may lift, back up and turn on the spot anywhere: corners are cut
-    int pins = 7;          ///< written into the strokes
-    bool masked = false;   ///< pins are lifted over raked sand and outside: passes may overlap and overshoot
-    bool account = false;  ///< judge the fill too: as dear as the fill itself
-    int variants = 0;      ///< other starts and exits that are offered, at most; none of areas that take more
-                           ///< than 3,000 widths of driving
+    bool pivots = false;  ///< the vehicle may lift, back up and turn on the spot anywhere: corners are cut
+    int pins = 7;         ///< written into the strokes
+    bool masked = false;  ///< pins are lifted over raked sand and outside: passes may overlap and overshoot
+    int variants = 0;     ///< other starts and exits that are offered, at most; none of areas that take more
+                          ///< than 3,000 widths of driving
 };
 
 /// The same area begun or ended elsewhere: what comes before and after it decides which is shortest.
@@ -78,7 +77,7 @@ struct Variant {
     double longer = 0;  ///< metres driven within the area beyond those of the fill itself, rake up and down
 };
 
-/// The fill of one region and its account.
+/// The fill of one region.
 struct Fill {
     std::vector<Stroke>
         strokes;  ///< in the order they must be raked: inside to outside, border last; one_way, fill = true
@@ -87,10 +86,9 @@ struct Fill {
     std::vector<Variant> variants;  ///< start or exit more than a width from those of all others
     double area = 0;                ///< of the region, m^2
     double swept = 0;               ///< stroke length x width, m^2
-    std::optional<rake::Account> account;  ///< where options ask for it
-    int dropped_parts = 0;                 ///< smaller than min_area or narrower than the rake
-    int skeletons_replaced = 0;            ///< 1: Euclidean insets instead of the skeleton's
-    Warnings warnings;  ///< partition replaced, what is narrower than the rake, by place; ...
+    int dropped_parts = 0;          ///< smaller than min_area or narrower than the rake
+    int skeletons_replaced = 0;     ///< 1: Euclidean insets instead of the skeleton's
+    Warnings warnings;              ///< partition replaced, what is narrower than the rake, by place; ...
 };
 
 /// The choice of that name, as people write it ("half-step"). Error: at `place`, lists the names.

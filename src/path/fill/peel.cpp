@@ -31,11 +31,6 @@ Neighbours neighbours_of(std::size_t rings, const std::vector<Contact>& contacts
     return beside;
 }
 
-struct Tree {
-    std::vector<int> parent;  // by ring; -1: a root
-    int leaves = 0;
-};
-
 enum class Rank { fewest_left, deepest, longest_contact };
 
 /// Depth first from the outermost ring of each component; the next neighbour by `rank`. O(contacts x degree).
@@ -170,10 +165,12 @@ Polyline way_off_raked(Polyline& tooth, Polyline& next, double width) {
 
 }  // namespace
 
-Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice, std::optional<Point> start) {
-    const Tree tree = lattice.inside.empty()
-                          ? by_levels(rings)
-                          : fewest_leaves(rings, neighbours_of(rings.size(), contacts(lattice)));
+Tree tree_of(const std::vector<Ring>& rings, const Lattice& lattice) {
+    return lattice.inside.empty() ? by_levels(rings)
+                                  : fewest_leaves(rings, neighbours_of(rings.size(), contacts(lattice)));
+}
+
+Peel peel_of(const std::vector<Ring>& rings, const Tree& tree, std::optional<Point> start) {
     Peel peel;
     for (const std::vector<int>& numbers : chains_of(rings, tree, start)) {
         Chain chain;
@@ -188,10 +185,10 @@ Peel peel_of(const std::vector<Ring>& rings, const Lattice& lattice, std::option
 namespace {
 
 /// The rings in the order of their peel, with the ways between.
-std::vector<Pass> raked(const std::vector<Ring>& rings, Trail trail, const Wish& wish,
+std::vector<Pass> raked(const std::vector<Ring>& rings, const Tree& tree, Trail trail, const Wish& wish,
                         const Options& options) {
     std::vector<Pass> passes;
-    for (const auto& [chain, onward] : peel_of(rings, trail.lattice(), wish.start)) {
+    for (const auto& [chain, onward] : peel_of(rings, tree, wish.start)) {
         const std::optional<Point> here = passes.empty() ? wish.start : passes.back().line.back();
         const std::vector<Seam> seams = seams_of(chain, onward, here, wish.exit, trail.lattice(), options);
         for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -238,8 +235,10 @@ Passes ring_passes(const Region& region, const std::string& place, const Options
     if (levels.room.empty()) return no_passes;
     std::vector<Ring> rings = rings_of(region, levels, options);
     Lattice lattice = lattice_of(region, rings, place, options, account);
-    return [rings = std::move(rings), trail = Trail(std::move(lattice), levels.room, options),
-            options](const Wish& wish) { return raked(rings, trail, wish, options); };
+    Tree tree = tree_of(rings, lattice);
+    return [rings = std::move(rings), tree = std::move(tree),
+            trail = Trail(std::move(lattice), levels.room, options),
+            options](const Wish& wish) { return raked(rings, tree, trail, wish, options); };
 }
 
 }  // namespace strandline::fill

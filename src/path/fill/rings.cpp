@@ -28,6 +28,7 @@ constexpr double driven_price = 0.6;     // a length of path over finished sand,
 constexpr double bare_price = 4;         // bare sand against sand raked twice
 constexpr double masked_bare_price = 2;  // the same with pins: raked sand is lifted over
 constexpr double masked_price = 0.1;     // a pass, when what it rakes twice is lifted over
+constexpr double least_waste = 0.02;     // of a place: less is not worth a trial
 constexpr double trial_cell = 1 / 8.0;   // the raster on which choices are tried
 constexpr double spine_thinning = 0.02;
 constexpr int most_trial_levels = 4;  // rings within a narrow place: with more the misfit is a small share
@@ -180,7 +181,7 @@ class Nesting {
         const std::vector<Ring> plain_rings = served(i);
         const std::size_t served_by = plain_rings.size();
         double least = waste(place.sand, plain_rings, options_);
-        if (least < 0.02 * area(place.sand)) return;
+        if (least < least_waste * area(place.sand)) return;
         const Regions plain = simplified({place.sand}, axis_thinning * w_);
         if (plain.empty()) return;
         if (!place.centre.empty() && !combs_may_pay(plain[0], place.levels, least, w_)) return;

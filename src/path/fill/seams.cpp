@@ -244,10 +244,8 @@ std::vector<Seam> seams_of(const std::vector<const Ring*>& chain, const Ring* on
             };
             if (meets_itself(seam.span) && !meets_itself(-seam.span)) seam.span = -seam.span;
         }
-        if (i > 0) {
-            if (seam.stepped && options.turn_radius > 0)
-                seam.start += std::copysign(std::min(slant * options.spacing, ring.length / 4), seam.span);
-        }
+        if (seam.stepped && options.turn_radius > 0)  // never of the first ring
+            seam.start += std::copysign(std::min(slant * options.spacing, ring.length / 4), seam.span);
         seam = cut_to(seam.span);
         if (seam.corner) seam.span = std::copysign(ring.length, seam.span);
         seams.push_back(seam);

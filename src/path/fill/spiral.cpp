@@ -52,8 +52,9 @@ void revolve(Work& work, TurnedLine line, bool may_step, bool border, const Opti
     for (std::size_t k = 1; k < lasts.size(); ++k) go_on(work, std::move(lasts[k]), false, options);
 }
 
-std::vector<Pass> wound(const std::vector<Ring>& rings, Work work, const Wish& wish, const Options& options) {
-    for (const auto& [chain, onward] : peel_of(rings, work.trail.lattice(), wish.start)) {
+std::vector<Pass> wound(const std::vector<Ring>& rings, const Tree& tree, Work work, const Wish& wish,
+                        const Options& options) {
+    for (const auto& [chain, onward] : peel_of(rings, tree, wish.start)) {
         bool may_step = false;  // within a chain only: elsewhere raked sand may lie between
         for (std::size_t i = 0; i < chain.size();) {
             const std::optional<Point> here =
@@ -91,9 +92,9 @@ Passes spiral_passes(const Region& region, const std::string& place, const Optio
     Work work{Trail(lattice_of(region, rings, place, options, account), levels.room, options),
               AreaIndex(inset({region}, (0.5 - floor_margin) * options.width)),
               {}};
-    return [rings = std::move(rings), work = std::move(work), options](const Wish& wish) {
-        return wound(rings, work, wish, options);
-    };
+    Tree tree = tree_of(rings, work.trail.lattice());
+    return [rings = std::move(rings), tree = std::move(tree), work = std::move(work),
+            options](const Wish& wish) { return wound(rings, tree, work, wish, options); };
 }
 
 }  // namespace strandline::fill

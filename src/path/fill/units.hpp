@@ -30,7 +30,8 @@ struct Plan {
 };
 
 bool overlap(const Line& a, const Line& b);
-/// Units, and where one can go over from one to another. O(lines^2).
+/// Units, and where one can go over from one to another. Lines and other fills are pointed to: they must
+/// outlive the plan. O(lines^2).
 Plan planned(const std::vector<std::vector<Line>>& segments, const std::vector<OtherFill>& others,
              const std::vector<Ring>& borders, const Regions& room, const Options& options);
 
@@ -41,5 +42,8 @@ struct Ties {
     std::vector<int> group_size;
 };
 Ties ties_of(const Plan& plan, const std::vector<bool>& done);
+
+/// The units in an order in which the sand not yet raked stays connected, with the ways between.
+std::vector<Pass> driven(Plan plan, const Regions& room, const Wish& wish, const Options& options);
 
 }  // namespace strandline::fill

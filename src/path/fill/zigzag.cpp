@@ -1,17 +1,23 @@
 // Parallel lines, segment by segment, and rings along the outline last.
-#include "path/fill/zigzag.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "path/fill/narrow.hpp"
+#include "path/fill/units.hpp"
 
 namespace strandline::fill {
 namespace {
 
 // Of the width: each corner costs an inset a round that crosses all others within half a width.
 constexpr double outline_thinning = 0.005, corridor_thinning = 0.02;
+
+/// What a plan points to, at a place of its own.
+struct Parts {
+    std::vector<std::vector<Line>> lines;
+    std::vector<OtherFill> others;
+};
 
 /// The outlines of the insets by half a width and further spacings.
 void add_nested(const Region& region, const Options& options, std::vector<Ring>& nested) {
@@ -67,14 +73,13 @@ Passes zigzag_passes(const Region& region, const std::string& place, const Optio
     if (room.empty()) return no_passes;
     const Regions target =
         options.border ? inset(room, options.spacing / 2, plain_share * w) : Regions{outline};
-    std::vector<std::vector<Line>> lines;
-    std::vector<OtherFill> others;
+    const auto parts = std::make_shared<Parts>();
     for (const Segment& segment : segments_of(outline, target, place, options, account)) {
         if (!segment.style)
-            lines.push_back(lines_of(segment, {outline}, options));
+            parts->lines.push_back(lines_of(segment, {outline}, options));
         else if (OtherFill other = other_fill(segment, outline, place, options, account);
                  !other.passes.empty())
-            others.push_back(std::move(other));
+            parts->others.push_back(std::move(other));
     }
     std::vector<Ring> borders;
     if (options.border)
@@ -82,9 +87,10 @@ Passes zigzag_passes(const Region& region, const std::string& place, const Optio
             borders.push_back(ring_of(part.outer, 0, true));
             for (const Polygon& hole : part.holes) borders.push_back(ring_of(hole, 0, true));
         }
-    return [lines = std::move(lines), others = std::move(others), borders = std::move(borders),
-            room = std::move(room),
-            options](const Wish& wish) { return driven(lines, others, borders, room, wish, options); };
+    Plan plan = planned(parts->lines, parts->others, borders, room, options);
+    return [parts, plan = std::move(plan), room = std::move(room), options](const Wish& wish) {
+        return driven(plan, room, wish, options);
+    };
 }
 
 }  // namespace strandline::fill

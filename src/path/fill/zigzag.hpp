@@ -43,10 +43,4 @@ double waste_of(const Segment& segment, const Options& options);
 /// The regions turned about the origin.
 Regions turned(Regions regions, double angle);
 
-/// Lines, other fills and border rings in an order in which the sand not yet raked stays connected, with the
-/// ways between.
-std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const std::vector<OtherFill>& others,
-                         const std::vector<Ring>& borders, const Regions& room, const Wish& wish,
-                         const Options& options);
-
 }  // namespace strandline::fill

@@ -235,10 +235,7 @@ void rake_other(Plan& plan, const Entry& entry, Drive& drive) {
 
 }  // namespace
 
-std::vector<Pass> driven(const std::vector<std::vector<Line>>& segments, const std::vector<OtherFill>& others,
-                         const std::vector<Ring>& borders, const Regions& room, const Wish& wish,
-                         const Options& options) {
-    Plan plan = planned(segments, others, borders, room, options);
+std::vector<Pass> driven(Plan plan, const Regions& room, const Wish& wish, const Options& options) {
     Router router(plan.corridors);
     Drive drive(room, options);
     std::vector<bool> done(plan.units.size(), false);

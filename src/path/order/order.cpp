@@ -79,6 +79,10 @@ void append_pivot(std::vector<Leg>& legs, Pose at, double turn) {
 
 }  // namespace
 
+const std::vector<Stroke>& strokes_of(const Group& group, int variant) {
+    return variant < 0 ? group.work.strokes : group.variants[static_cast<std::size_t>(variant)].strokes;
+}
+
 Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& options,
                          const Progress& progress) {
     Ordered answer;

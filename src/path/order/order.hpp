@@ -29,6 +29,9 @@ struct Group {
     tour::Direction direction = tour::Direction::any;
     tour::Sense sense = tour::Sense::any;
 };
+/// The strokes of a group, or of one of its variants; -1: its own.
+const std::vector<Stroke>& strokes_of(const Group& group, int variant);
+
 /// Ties node `node_a` of group a to node `node_b` of group b: they are driven one after the other there.
 struct Tie {
     int a = 0, node_a = 0, b = 0, node_b = 0;

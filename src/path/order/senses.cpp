@@ -96,10 +96,6 @@ std::vector<Candidate> candidates(const Job& job, const tour::Step& step, double
 
 }  // namespace
 
-const std::vector<Stroke>& strokes_of(const Group& group, int variant) {
-    return variant < 0 ? group.work.strokes : group.variants[static_cast<std::size_t>(variant)].strokes;
-}
-
 std::vector<Going> with_driven_senses(const Job& job, const std::vector<tour::Step>& steps,
                                       const Robot& robot) {
     if (steps.empty()) return {};

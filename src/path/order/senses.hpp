@@ -9,9 +9,6 @@ struct Going {
     tour::Step step;
     int variant = -1;  ///< of the group's; -1: its own strokes
 };
-/// The strokes of a group as they are gone through.
-const std::vector<Stroke>& strokes_of(const Group& group, int variant);
-
 /// Chooses again, for a fixed order of groups, at which node and in which sense each is entered, so that the
 /// sum of Dubins lengths between robot poses and of what variants are longer is least among the candidates
 /// (both directions of open lines, at most `most_candidates` nodes of closed ones in both senses, all

@@ -215,7 +215,7 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     if (const auto bearable = not_too_long(strokes.groups, options); !bearable)
         return tl::unexpected(bearable.error());
     order::Job job;
-    job.groups = strokes.groups;
+    job.groups = std::move(strokes.groups);
     job.start = drawing->start;
     if (options.tour.has_start) job.start = Point{options.tour.start_x, options.tour.start_y};
     job.batches = pipeline::batches_of(job.groups, *drawing);
@@ -237,7 +237,8 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     plan.samples =
         trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});
     const Warnings unlifted = pipeline::lift_pins(plan.samples, ordered->strokes, *drawing, robot, options);
-    pipeline::Fills fills = pipeline::account_for(strokes, ordered->variants, *drawing, progress);
+    pipeline::Fills fills =
+        pipeline::account_for(job.groups, strokes.filled, ordered->variants, *drawing, progress);
     plan.drawing = std::move(*drawing);
     plan.figures.fill_area = fills.account.area;
     plan.figures.fill_swept = fills.swept;

@@ -184,20 +184,19 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
     return strokes;
 }
 
-Fills account_for(const Strokes& strokes, const std::vector<int>& variants, const Drawing& drawing,
-                  const Progress& progress) {
+Fills account_for(const std::vector<order::Group>& groups, const std::vector<std::optional<Filled>>& filled,
+                  const std::vector<int>& variants, const Drawing& drawing, const Progress& progress) {
     Fills fills;
-    for (std::size_t i = 0; i < strokes.groups.size(); ++i) {
-        progress.report("accounting", static_cast<double>(i) / static_cast<double>(strokes.groups.size()));
-        if (!strokes.filled[i]) continue;
-        const auto& [options, ways] = *strokes.filled[i];
-        const order::Group& group = strokes.groups[i];
-        const int variant = variants[i];
-        const std::vector<Stroke>& driven =
-            variant < 0 ? group.work.strokes : group.variants[static_cast<std::size_t>(variant)].strokes;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        progress.report("accounting", static_cast<double>(i) / static_cast<double>(groups.size()));
+        if (!filled[i]) continue;
+        const auto& [options, ways] = *filled[i];
+        const order::Group& group = groups[i];
+        const std::vector<Stroke>& driven = order::strokes_of(group, variants[i]);
         const Element& element = drawing.elements[static_cast<std::size_t>(group.work.element)];
-        const rake::Account account = fill::account_of(std::get<RegionElement>(element.what).region, driven,
-                                                       ways[static_cast<std::size_t>(variant + 1)], options);
+        const rake::Account account =
+            fill::account_of(std::get<RegionElement>(element.what).region, driven,
+                             ways[static_cast<std::size_t>(variants[i] + 1)], options);
         for (const Stroke& stroke : driven) fills.swept += length(stroke.rake_path) * options.width;
         for (const rake::Gap& gap : account.gaps) fills.bare.push_back({element.id, gap.at, gap.area});
         fills.account = joined(std::move(fills.account), account);

@@ -29,8 +29,8 @@ struct Fills {
 Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& options,
                    const Progress& progress);
 
-/// `variants`: by group, as Ordered has them. As dear as the fills.
-Fills account_for(const Strokes& strokes, const std::vector<int>& variants, const Drawing& drawing,
-                  const Progress& progress);
+/// `filled` and `variants`: by group, as Strokes and Ordered have them. As dear as the fills.
+Fills account_for(const std::vector<order::Group>& groups, const std::vector<std::optional<Filled>>& filled,
+                  const std::vector<int>& variants, const Drawing& drawing, const Progress& progress);
 
 }  // namespace strandline::pipeline
