@@ -165,6 +165,37 @@ TEST(FillZigzag, ConvexPartsOfAnAreaWithHolesAreReplacedWithAWarning) {
     EXPECT_GT(areas::judged(areas::ring(), fill, 0.4).coverage, 0.98);
 }
 
+/// A C, 3 m wide, of chords.
+Region letter_c() {
+    Polygon outline;
+    const auto arc = [&](double radius, double from, double to) {
+        for (int i = 0; i <= 80; ++i) outline.push_back(radius * unit(from + (to - from) * i / 80));
+    };
+    arc(6, 0.8, 2 * pi - 0.8);
+    arc(3, 2 * pi - 0.8, 0.8);
+    return areas::of({outline});
+}
+
+TEST(FillZigzag, ChordsOfAnArcAreNoPartsOfTheirOwn) {
+    for (double radius : {0.0, 0.3}) {
+        Options options = with(Style::zigzag);
+        options.partition = Partition::optimal_convex;
+        options.turn_radius = radius;
+        const Fill fill = fill_region(letter_c(), 0, "C", options);
+        EXPECT_TRUE(fill.warnings.empty());
+        EXPECT_LT(fill.strokes.size(), 16u);
+    }
+}
+
+TEST(FillZigzag, AVehicleThatCannotTurnOnTheSpotIsGivenFewerTurnsAndParts) {
+    const auto strokes = [](double radius) {
+        Options options = with(Style::zigzag);
+        options.turn_radius = radius;
+        return fill_region(letter_c(), 0, "C", options).strokes.size();
+    };
+    EXPECT_LT(strokes(0.3), strokes(0));
+}
+
 TEST(FillZigzag, AnInsetOfThePartsLeavesSandBetweenThem) {
     Options options = with(Style::zigzag);
     const double full = fill_region(areas::ring(), 0, "area", options).swept;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "path/fill/profiles.hpp"
+#include "path/fill/waste.hpp"
 #include "path/fill/zigzag.hpp"
 
 namespace strandline::fill {
@@ -17,7 +18,6 @@ constexpr double missing_cost = 3;     // metres raked that a metre not raked co
 constexpr double end_gap_cost = 2;     // the same at line ends
 constexpr double half_cost =
     0.5;  // metres raked that a metre counts for in a band less than half to be raked
-constexpr double line_cost = 0.03;     // of width^2: fewer and longer lines
 constexpr double line_slack = 0.01;    // of the spacing: an area that is higher by less gets no further row
 constexpr int most_phases = 6;         // edges along the lines that rows are tried flush with
 constexpr double bare_budget = 0.003;  // of the segment: what line ends at slanted edges may leave
@@ -77,8 +77,8 @@ double waste_of(const Regions& target, const Bands& bands, const Options& option
             raked += bands.height * (line.to - line.from);
             served += integral(profile, line.from, line.to);
             half += bands.height * (line.to - line.from);
-            waste += line_cost * options.width * options.width +
-                     std::max(0.0, options.spacing - bands.pitch) * (line.to - line.from);
+            waste +=
+                line_cost(options) + std::max(0.0, options.spacing - bands.pitch) * (line.to - line.from);
             for (double x : {line.from, line.to})
                 turned_flush += turned_area(turn_at_end(portions, x, y, bands.height, options), end_shares[0],
                                             bands.height);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "path/fill/cuts.hpp"
 #include "path/fill/waste.hpp"
 #include "path/fill/zigzag.hpp"
 
@@ -11,138 +12,20 @@ namespace {
 
 constexpr double plain_share = 0.25;  // of the width: corners that matter to where an area is cut
 constexpr double cut_share = 0.001;   // of the width: how wide a cut is
-constexpr double cut_beyond = 0.3;    // of the width: cuts found in the plain outline must part the true one
-constexpr double least_part = 0.05;   // of width^2: smaller parts are left to their neighbours' overlap
-constexpr double cut_cost = 0.3;      // of width^2: a cut costs a way and ends of lines
 constexpr std::size_t tried_directions = 3;
 constexpr double strip_share = 1.5;  // of the width: the border's strip belongs to the segment beside it
-constexpr int most_cuts = 12;        // in one area, found here
-constexpr std::size_t most_corners = 120, most_holes = 4, most_reflex = 40, most_pairs = 150;
-
-struct Halving {
-    Regions parts;
-    Point a, b;  ///< the cut's ends
-};
-
-/// A polygon cut by the chord from `from` along `along`; if `from` is not a corner, both ways.
-std::optional<Halving> halved(const Polygon& p, Point from, Point along, double least) {
-    const std::size_t n = p.size();
-    struct Hit {
-        double t;
-        std::size_t edge;
-        Point at;
-    };
-    std::optional<std::size_t> corner;
-    std::optional<Hit> ahead, behind;
-    for (std::size_t i = 0; i < n; ++i) {
-        const Point a = p[i], edge = p[(i + 1) % n] - a;
-        if (distance(a, from) < 1e-9) corner = i;
-        const double across = cross(along, edge);
-        if (std::abs(across) < 1e-12) continue;
-        const double share = cross(a - from, along) / across, t = cross(a - from, edge) / across;
-        if (share < 0 || share >= 1) continue;
-        if (t > 1e-7 && (!ahead || t < ahead->t)) ahead = {t, i, a + share * edge};
-        if (t < -1e-7 && (!behind || t > behind->t)) behind = {t, i, a + share * edge};
-    }
-    if (!ahead || (!corner && !behind)) return std::nullopt;
-    const Point start = corner ? from : behind->at;
-    if (!contains(p, between(start, ahead->at, 0.5)) || !contains(p, between(start, ahead->at, 0.01)))
-        return std::nullopt;
-    const std::size_t first = corner ? *corner : behind->edge;
-    Halving cut{{}, start, ahead->at};
-    Polygon one{ahead->at}, other{start};
-    for (std::size_t i = (ahead->edge + 1) % n;; i = (i + 1) % n) {
-        one.push_back(p[i]);
-        if (i == first) break;
-    }
-    one.push_back(start);
-    for (std::size_t i = (first + 1) % n;; i = (i + 1) % n) {
-        other.push_back(p[i]);
-        if (i == ahead->edge) break;
-    }
-    other.push_back(ahead->at);
-    for (Polygon* half : {&one, &other}) {
-        *half = without_duplicate_corners(*half, 1e-9);
-        if (half->size() < 3 || signed_area(*half) < least) return std::nullopt;
-        cut.parts.push_back({std::move(*half), {}});
-    }
-    return cut;
-}
-
-/// The cuts worth trying: through reflex corners on along their edges, across, and to one another. An area
-/// with holes is cut right through, along its long edges.
-std::vector<Halving> halvings(const Region& area, const Options& options) {
-    const double least = least_part * options.width * options.width;
-    std::vector<Halving> cuts;
-    if (area.holes.size() > most_holes) return cuts;
-    if (!area.holes.empty()) {
-        const auto through = [&](const Polygon& polygon) {
-            for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-                const Point a = polygon[j], b = polygon[i];
-                if (distance(a, b) < options.width) continue;
-                for (const auto& [from, to] : {std::pair{a, b}, std::pair{a, a + left_normal(b - a)},
-                                               std::pair{b, b + left_normal(b - a)}}) {
-                    Halves halves = strandline::cut({area}, from, to);
-                    if (halves.left.empty() || halves.right.empty()) continue;
-                    const double far = length(bounds(area).high - bounds(area).low);
-                    const Point along = normalized(to - from);
-                    Halving cut{std::move(halves.left), from - far * along, from + far * along};
-                    cut.parts.insert(cut.parts.end(), halves.right.begin(), halves.right.end());
-                    cuts.push_back(std::move(cut));
-                }
-            }
-        };
-        for (const Polygon& hole : area.holes) through(hole);
-        return cuts;
-    }
-    const Polygon& p = area.outer;
-    const std::size_t n = p.size();
-    std::vector<std::size_t> reflex;
-    for (std::size_t i = 0; i < n; ++i)
-        if (cross(p[i] - p[(i + n - 1) % n], p[(i + 1) % n] - p[i]) < 0) reflex.push_back(i);
-    if (reflex.size() > most_reflex) return cuts;
-    const auto add = [&](Point from, Point along) {
-        if (auto cut = halved(p, from, along, least)) cuts.push_back(std::move(*cut));
-    };
-    for (std::size_t i : reflex) {
-        const Point in = normalized(p[i] - p[(i + n - 1) % n]), out = normalized(p[(i + 1) % n] - p[i]);
-        for (Point along : {in, -out, left_normal(in), left_normal(out)}) add(p[i], along);
-        if (reflex.size() * reflex.size() <= 2 * most_pairs)
-            for (std::size_t k : reflex)
-                if (k > i) add(p[i], normalized(p[k] - p[i]));
-    }
-    return cuts;
-}
-
-/// Cuts an area where that wastes less than one direction for all of it does, again and again.
-std::vector<Polyline> fitted_cuts(const Region& whole, const Options& options) {
-    std::vector<Polyline> cuts;
-    Regions open{whole};
-    while (!open.empty() && static_cast<int>(cuts.size()) < most_cuts) {
-        const Region area = std::move(open.back());
-        open.pop_back();
-        if (area.outer.size() > most_corners) continue;
-        double least =
-            least_waste(area, options.direction, options).area - cut_cost * options.width * options.width;
-        std::optional<Halving> best;
-        for (Halving& cut : halvings(area, options)) {
-            double sum = 0;
-            for (const Region& part : cut.parts) sum += least_waste(part, options.direction, options).area;
-            if (sum >= least - 1e-9) continue;
-            least = sum;
-            best = std::move(cut);
-        }
-        if (!best) continue;
-        const Point over = cut_beyond * options.width * normalized(best->b - best->a);
-        for (Polyline& piece : parted({best->a, best->b}, {area}).inside)
-            cuts.push_back({piece.front() - over, piece.back() + over});
-        open.insert(open.end(), best->parts.rbegin(), best->parts.rend());
-    }
-    return cuts;
-}
 
 Regions without_line(const Regions& regions, const Polyline& cut, const Options& options) {
     return subtracted(regions, swept({cut}, false, cut_share * options.width / 2, Cap::square));
+}
+
+/// What cuts leave of a piece, but for what is left to its neighbours' overlap.
+Regions large_parts(const Region& piece, const std::vector<Polyline>& cuts, const Options& options) {
+    Regions parts{piece};
+    for (const Polyline& line : cuts) parts = without_line(parts, line, options);
+    std::erase_if(
+        parts, [&](const Region& part) { return area(part) < least_part * options.width * options.width; });
+    return parts;
 }
 
 /// What the user's cuts leave in one piece each; every cut must part something.
@@ -185,12 +68,9 @@ std::vector<Segment> fitted_segments(const Region& piece, const Options& options
     std::vector<Segment> whole{directed(piece, options)};
     const std::vector<Polyline> cuts = fitted_cuts(plain_of(piece, options), options);
     if (cuts.empty()) return whole;
-    Regions cut{piece};
-    for (const Polyline& line : cuts) cut = without_line(cut, line, options);
     std::vector<Segment> parts;
-    double waste = cut_cost * options.width * options.width * static_cast<double>(cuts.size());
-    for (Region& part : cut) {
-        if (area(part) < least_part * options.width * options.width) continue;
+    double waste = cut_cost(options) * static_cast<double>(cuts.size());
+    for (Region& part : large_parts(piece, cuts, options)) {
         parts.push_back(directed(std::move(part), options));
         waste += waste_of(parts.back(), options);
     }
@@ -209,12 +89,9 @@ std::vector<Part> parts_of(const Regions& target, const std::string& place, cons
     for (const Region& piece : cut_up(target, place, options, account)) {
         Partition partition = options.partition;
         if (partition == Partition::optimal_convex) {
-            // Fewer corners than the limit matter more than the last millimetre: thin as far as the rake
-            // hides it.
-            const Regions plain = simplified({piece}, options.width / 50);
-            auto convex = convex_parts(plain.size() == 1 ? plain[0] : piece);
+            const auto convex = convex_cuts(plain_of(piece, options), options);
             if (convex) {
-                for (Polygon& part : *convex) parts.push_back({{std::move(part), {}}});
+                for (Region& part : large_parts(piece, *convex, options)) parts.push_back({std::move(part)});
                 continue;
             }
             account.warnings.push_back(

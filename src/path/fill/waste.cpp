@@ -14,7 +14,9 @@ constexpr double flush = 0.02;        // of the spacing: an edge that near to th
 constexpr double least_share = 0.06;  // of a row: less is left bare
 constexpr double missing_cost = 3;    // m^2 overlapped that one left bare counts for
 constexpr double half_cost = 0.3;     // of a row, more, where the border would be driven over raked sand
-constexpr double line_cost = 0.03;    // of width^2: fewer and longer lines
+// Of width^2. A vehicle that cannot turn on the spot leaves a drop of sand bare between two lines; where it
+// goes over a cut, it is lifted and drives a loop of its radius, whose way is weighed as sand raked twice.
+constexpr double free_line_cost = 0.03, driven_turn_cost = 0.7, free_cut_cost = 0.3;
 
 struct Edge {
     Point a, b;
@@ -39,7 +41,7 @@ double waste_in(const std::vector<Edge>& edges, double direction, const Options&
                      std::clamp(steep_waste + waste_by_slant * (std::abs(along) / across - 1), steep_waste,
                                 most_end_waste);
     }
-    waste += line_cost * options.width * options.width * height / (2 * s);
+    waste += line_cost(options) * height / (2 * s);
     std::ranges::sort(flats, [](const Flat& a, const Flat& b) {
         return std::tuple(-a.length, a.y) < std::tuple(-b.length, b.y);
     });
@@ -61,6 +63,15 @@ double waste_in(const std::vector<Edge>& edges, double direction, const Options&
 }
 
 }  // namespace
+
+double line_cost(const Options& options) {
+    return (options.turn_radius > 0 ? driven_turn_cost : free_line_cost) * options.width * options.width;
+}
+
+double cut_cost(const Options& options) {
+    return std::max(free_cut_cost * options.width * options.width,
+                    2 * pi * options.turn_radius * options.width);
+}
 
 Waste least_waste(const Region& area, std::optional<double> direction, const Options& options) {
     return least_wastes(area, direction, 1, options).front();
