@@ -190,16 +190,12 @@ int plan(const PlanArguments& arguments, const Common& common) {
     else if (!common.quiet)
         fmt::print(stderr, "{}", summary(*made, report));
     if (!common.quiet) fmt::print(stderr, "{}", findings(report, common.verbose));
-    if (!common.quiet && common.verbose) fmt::print(stderr, "{}", bare_places(*made));
-    if (arguments.strict && !common.quiet && !report.blemishes.empty())
-        fmt::print(stderr,
-                   "strict: finished ground is driven over at {} places (strandline check -v lists them)\n",
-                   report.blemishes.size());
+    if (!common.quiet && common.verbose) fmt::print(stderr, "{}", places(*made, report));
+    const std::string short_of = arguments.strict ? shortcomings(*made, report) : "";
+    fmt::print(stderr, "{}", short_of);
     if (arguments.open)
         if (const auto shown = show(*made, arguments); !shown) return complain(shown.error(), bad_input);
-    const bool short_of = !report.sound() || made->figures.fallbacks > 0 || !made->undrivable.empty() ||
-                          !made->idle_edits.empty() || !report.blemishes.empty();
-    return arguments.strict && short_of ? falls_short : done;
+    return short_of.empty() ? done : falls_short;
 }
 
 }  // namespace strandline::cli

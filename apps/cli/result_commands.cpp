@@ -83,11 +83,7 @@ int check(const CheckArguments& arguments, const Common& common) {
     } else if (!common.quiet) {
         fmt::print("{}", summary(*plan, report));
         fmt::print("{}", findings(report, common.verbose));
-        if (common.verbose) fmt::print("{}", bare_places(*plan));
-        for (const Spot& spot : plan->undrivable)
-            if (common.verbose)
-                fmt::print("not drivable: at ({:.2f}, {:.2f}): {} ({:.2f})\n", spot.at.x, spot.at.y,
-                           spot.what, spot.amount);
+        if (common.verbose) fmt::print("{}", places(*plan, report));
         for (const check::Blemish& b : report.blemishes)
             if (common.verbose)
                 fmt::print(

@@ -59,15 +59,17 @@ std::string summary(const Plan& plan, const check::Report& report) {
                      (f.reproducible ? "" : ", stopped early: not reproducible"));
     row("time", duration(f.time));
     if (f.regions > 0) {
-        row("fills", fmt::format("{:.2f} % reached, {:.2f} % twice, {:.2f} % outside; length x width / area "
-                                 "{:.3f}; {} hops, {} drives over finished sand; {} bare places",
-                                 100 * f.fill_coverage, 100 * f.fill_overdraw, 100 * f.fill_spill,
-                                 f.fill_area > 0 ? f.fill_swept / f.fill_area : 0, f.fill_hops,
-                                 f.fill_drives_over, plan.bare.size()));
-        row("areas", fmt::format("{:.1f} % covered, {:.1f} % raked twice, {:.1f} % outside",
-                                 100 * report.coverage, 100 * report.overdraw, 100 * report.spill));
+        row("fills",
+            fmt::format("as planned {:.2f} % raked, {:.2f} % twice, {:.2f} % outside; length x width / "
+                        "area {:.3f}; {} hops, {} drives over finished sand; {} bare places",
+                        100 * f.fill_coverage, 100 * f.fill_overdraw, 100 * f.fill_spill,
+                        f.fill_area > 0 ? f.fill_swept / f.fill_area : 0, f.fill_hops, f.fill_drives_over,
+                        plan.bare.size()));
+        row("areas", fmt::format("as driven {:.1f} % raked, {:.1f} % twice, {:.1f} % outside; {} bare places",
+                                 100 * report.coverage, 100 * report.overdraw, 100 * report.spill,
+                                 report.bare.size()));
     }
-    row("blemishes", fmt::format("{} crossings of finished lines, {:.2f} m^2 of finished areas driven over",
+    row("blemishes", fmt::format("{} crossings of finished lines, {:.2f} m^2 of finished sand driven over",
                                  report.crossings, report.driven_over));
     row("corners", corners(f));
     row("tightest", plan.robot.min_radius > 0
@@ -84,11 +86,33 @@ std::string summary(const Plan& plan, const check::Report& report) {
     return text;
 }
 
-std::string bare_places(const Plan& plan) {
+std::string places(const Plan& plan, const check::Report& report) {
     std::string text;
     for (const Spot& spot : plan.bare)
-        text += fmt::format("bare: {:.3g} m2 of {} at ({:.2f}, {:.2f})\n", spot.amount, spot.what, spot.at.x,
-                            spot.at.y);
+        text += fmt::format("bare as planned: {:.3g} m2 of {} at ({:.2f}, {:.2f})\n", spot.amount, spot.what,
+                            spot.at.x, spot.at.y);
+    for (const check::Bare& bare : report.bare)
+        text += fmt::format("bare as driven: {:.3g} m2 of {} at ({:.2f}, {:.2f})\n", bare.area,
+                            plan.drawing.elements[static_cast<std::size_t>(bare.element)].id, bare.at.x,
+                            bare.at.y);
+    for (const Spot& spot : plan.undrivable)
+        text += fmt::format("not drivable: at ({:.2f}, {:.2f}): {} ({:.2f})\n", spot.at.x, spot.at.y,
+                            spot.what, spot.amount);
+    return text;
+}
+
+std::string shortcomings(const Plan& plan, const check::Report& report) {
+    std::string text;
+    const auto say = [&](std::size_t count, std::string_view what) {
+        if (count > 0) text += fmt::format("strict: {}\n", fmt::format(fmt::runtime(what), count));
+    };
+    say(report.faults.size(), "check finds {} faults");
+    say(static_cast<std::size_t>(plan.figures.fallbacks),
+        "{} things are done otherwise than asked: see the warnings");
+    say(plan.undrivable.size(), "along {} spans the rake cannot follow its path (-v lists them)");
+    say(plan.idle_edits.size(), "{} edits find no place: see the warnings");
+    say(report.blemishes.size(),
+        "finished ground is driven over at {} places (strandline check -v lists them)");
     return text;
 }
 

@@ -9,8 +9,10 @@ namespace strandline::cli {
 
 /// Lines of text, each ended: scale, elements, lengths, time, what fell short.
 std::string summary(const Plan& plan, const check::Report& report);
-/// What no stroke of an area rakes, a line each.
-std::string bare_places(const Plan& plan);
+/// Lines for -v: bare places as planned and as driven, and where the rake cannot follow its path.
+std::string places(const Plan& plan, const check::Report& report);
+/// A line for each reason that --strict ends with 3; empty: there is none.
+std::string shortcomings(const Plan& plan, const check::Report& report);
 /// The check's findings, a line each; "" when there are none.
 std::string findings(const check::Report& report, bool all);
 

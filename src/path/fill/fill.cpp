@@ -72,7 +72,7 @@ void say_narrow(NarrowParts& narrow, const std::string& place, const Options& op
             narrow.bodies.empty() ? "is" : "a part is", arm.least, arm.most, length(arm.line),
             metres(arm.line.front()), metres(arm.line.back()), options.width);
         account.warnings.push_back(
-            {place, options.narrow == Narrow::warn ? part + "; left bare"
+            {place, options.narrow == Narrow::warn ? part + "; left bare, as narrow=warn asks"
                     : options.masked ? part + "; one pass along its middle, its pins lifted outside"
                                      : fmt::format("{}; one pass along its middle, up to {:.2g} m outside",
                                                    part, (options.width - arm.least) / 2)});
@@ -234,8 +234,8 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
     if (options.one_stroke) options.pivots = false;  // a cut corner is a lift
     Fill fill;
     fill.area = area(region);
-    if (options.style != Style::zigzag && !(options.cuts.empty() && options.segments.empty()))
-        fill.warnings.push_back({place, "cuts and segments are for zigzag: they are left aside"});
+    fill.cuts_used.resize(options.cuts.size());
+    fill.segments_used.resize(options.segments.size());
     const Passes passes_of = (options.style == Style::zigzag   ? zigzag_passes
                               : options.style == Style::spiral ? spiral_passes
                                                                : ring_passes)(region, place, options, fill);

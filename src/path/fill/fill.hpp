@@ -3,6 +3,7 @@
 // continuous line of inset polygons) and zigzag (parallel lines); all with holes. Nothing is drawn in a hole.
 // Metres.
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
@@ -87,8 +88,10 @@ struct Fill {
     double area = 0;                ///< of the region, m^2
     double swept = 0;               ///< stroke length x width, m^2
     int dropped_parts = 0;          ///< smaller than min_area or narrower than the rake
-    int skeletons_replaced = 0;     ///< 1: Euclidean insets instead of the skeleton's
-    Warnings warnings;              ///< partition replaced, what is narrower than the rake, by place; ...
+    std::vector<bool> cuts_used;    ///< of Options::cuts: those that part the area
+    std::vector<bool> segments_used;  ///< of Options::segments: those that lie in a segment of it
+    int skeletons_replaced = 0;       ///< 1: Euclidean insets instead of the skeleton's
+    Warnings warnings;                ///< partition replaced, what is narrower than the rake, by place; ...
 };
 
 /// The choice of that name, as people write it ("half-step"). Error: at `place`, lists the names.
@@ -102,6 +105,14 @@ Outcome<std::vector<Polyline>> cuts_of(const std::string& text, const std::strin
 /// "2,3 direction=30deg; 5,1 style=rings" -> choices, units as elsewhere. Error.place is `place`; says which
 /// choice is wrong.
 Outcome<std::vector<SegmentChoice>> segment_choices_of(const std::string& text, const std::string& place);
+
+/// A choice other than the default that not every style reads, as settings name it ("part_inset").
+struct Choice {
+    std::string_view name, serves;  ///< serves: the styles that read it
+    bool read = false;              ///< by the style that is asked for, or by that of a segment
+    bool operator==(const Choice&) const = default;
+};
+std::vector<Choice> choices_of(const Options& options);
 
 /// Never fails: a region nothing fits into gives no strokes and a warning. `element` is written into the
 /// strokes; `place` names the region in warnings. O(n log n + passes).

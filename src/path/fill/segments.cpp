@@ -28,16 +28,14 @@ Regions large_parts(const Region& piece, const std::vector<Polyline>& cuts, cons
     return parts;
 }
 
-/// What the user's cuts leave in one piece each; every cut must part something.
-Regions cut_up(Regions target, const std::string& place, const Options& options, Fill& account) {
+/// What the user's cuts leave in one piece each; which of them part something is written down.
+Regions cut_up(Regions target, const Options& options, Fill& account) {
     for (std::size_t i = 0; i < options.cuts.size(); ++i) {
         if (options.cuts[i].size() < 2) continue;
         Regions parts = without_line(target, options.cuts[i], options);
-        if (parts.size() > target.size())
-            target = std::move(parts);
-        else
-            account.warnings.push_back(
-                {place, fmt::format("cut {} parts nothing of it: draw it from edge to edge", i + 1)});
+        if (parts.size() <= target.size()) continue;
+        target = std::move(parts);
+        account.cuts_used[i] = true;
     }
     return target;
 }
@@ -86,7 +84,7 @@ struct Part {
 std::vector<Part> parts_of(const Regions& target, const std::string& place, const Options& options,
                            Fill& account) {
     std::vector<Part> parts;
-    for (const Region& piece : cut_up(target, place, options, account)) {
+    for (const Region& piece : cut_up(target, options, account)) {
         Partition partition = options.partition;
         if (partition == Partition::optimal_convex) {
             const auto convex = convex_cuts(plain_of(piece, options), options);
@@ -129,13 +127,16 @@ std::vector<SegmentChoice> chosen(const std::vector<Part>& parts, const Region& 
         for (std::size_t k = 0; contains(region, choice.at) && k < parts.size(); ++k)
             if (const double d = distance_to(parts[k].region, choice.at); d < least)
                 least = d, best = &of_part[k];
-        if (!best) {
+        if (!best) continue;
+        account.segments_used[i] = true;
+        const auto overrules = [&](const auto& mine, const auto& before) {
+            return mine && before && *mine != *before;
+        };
+        if (overrules(choice.direction, best->direction) || overrules(choice.style, best->style))
             account.warnings.push_back(
-                {place, fmt::format("segment choice {} is for ({:.2f}, {:.2f}), which lies in no segment of "
-                                    "it: name a point inside of one",
-                                    i + 1, choice.at.x, choice.at.y)});
-            continue;
-        }
+                {place, fmt::format("segment choice {} is for a part that an earlier one is for too, and "
+                                    "overrules it: a cut between their points parts them",
+                                    i + 1)});
         if (choice.direction) best->direction = choice.direction;
         if (choice.style) best->style = choice.style;
     }

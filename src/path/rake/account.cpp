@@ -214,8 +214,6 @@ Account account_of(const Regions& regions, const std::vector<Move>& moves, const
     if (raked > covered) account.spill_reach = raster.cell * farthest_outside(raster, inside, sand.passes);
     account.crisp_edge = crisp_edge(regions, sand, raster, options.width);
     account.gaps = gaps_of(raster, inside, sand.passes, options.least_gap * options.width);
-    if (std::ssize(account.gaps) > options.most_gaps)
-        account.gaps.resize(static_cast<std::size_t>(std::max(0, options.most_gaps)));
     return account;
 }
 

@@ -99,7 +99,6 @@ struct AccountOptions {
     int pins = 7;                 ///< that a mask's bits stand for
     double cell_share = 1 / 16.;  ///< of the width: the raster's cells; coarser is faster
     bool details = true;          ///< gaps, the outline and the reach of spill too
-    int most_gaps = 20;           ///< listed
     double least_gap = 0.1;       ///< width: gaps no wider are not listed
 };
 /// Judges a drive, first move to last. Areas of more than some eight million cells get larger ones. About

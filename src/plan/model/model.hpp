@@ -67,7 +67,7 @@ struct Options {
         std::string partition = "fitted";  // none | monotone | optimal-convex | fitted
         std::string cuts;                  // "x,y x,y; x,y x,y"
         std::string segments;              // "x,y direction=30deg; x,y style=rings"
-        bool one_stroke = false;
+        bool one_stroke = false, rake_turns = true;
         double part_inset = 0, min_area = 0.01;
         bool border = true;
         std::string narrow = "single-pass";

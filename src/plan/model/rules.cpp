@@ -28,6 +28,21 @@ std::vector<std::string> split(std::string_view text, char at) {
     return parts;
 }
 
+/// Whether a part that `,` or `;` cut off is the rest of a value before it ("fill-cuts=0,2 4,2"): it begins
+/// like a number. Names of hints and of what a rule is for begin with a letter.
+bool goes_on(std::string_view part) { return part.find_first_of("0123456789+-.") == 0; }
+
+/// The parts, but for those that belong to the one before.
+std::vector<std::string> split_before_names(std::string_view text, char at) {
+    std::vector<std::string> parts;
+    for (std::string& part : split(text, at))
+        if (!parts.empty() && goes_on(part))
+            parts.back() += at + part;
+        else
+            parts.push_back(std::move(part));
+    return parts;
+}
+
 Outcome<void> whole_from(const svg::Hint& hint, int least) {
     int value = 0;
     const auto [end, error] =
@@ -67,7 +82,7 @@ Outcome<InkRule> rule_of(const std::string& text) {
             (rule.pattern.size() != 7 && rule.pattern.find('*') == std::string::npos))
             return refuse("names a colour otherwise than as #rrggbb");
     }
-    for (const std::string& part : split(text.substr(colon + 1), ',')) {
+    for (const std::string& part : split_before_names(text.substr(colon + 1), ',')) {
         const std::size_t at = part.find('=');
         if (at == std::string::npos) return refuse("has a hint without a value");
         const svg::Hint hint{trimmed(part.substr(0, at)), trimmed(part.substr(at + 1))};
@@ -111,7 +126,7 @@ Outcome<void> valid(const svg::Hint& hint) {
 
 Outcome<std::vector<InkRule>> rules_of(const std::string& text) {
     std::vector<InkRule> rules;
-    for (const std::string& part : split(text, ';')) {
+    for (const std::string& part : split_before_names(text, ';')) {
         auto rule = rule_of(part);
         if (!rule) return tl::unexpected(rule.error());
         rules.push_back(std::move(*rule));

@@ -253,7 +253,8 @@ std::vector<Setting> make_table() {
          "--fill_method",
          [](Options& o) -> Field { return &o.fill.style; }},
         {"fill.inset",
-         "how rings and spirals follow from the outline: Euclidean insets, or those of its straight skeleton",
+         "rings, spiral: how they follow from the outline: Euclidean insets, or those of its straight "
+         "skeleton",
          Kind::choice,
          0,
          0,
@@ -261,7 +262,7 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.fill.inset; }},
         {"fill.join",
-         "how a ring leads on to the next: half-step stops half a width before it closes and steps over; "
+         "rings: how one leads on to the next: half-step stops half a width before it closes and steps over; "
          "nearest "
          "closes and goes on from there; alternating turns the sense at each ring; longest-edge begins each "
          "in "
@@ -273,7 +274,7 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.fill.join; }},
         {"fill.shift",
-         "rake widths along which each turn of a spiral shifts outwards; many: all round",
+         "spiral: rake widths along which each turn shifts outwards; many: all round",
          Kind::number,
          0.1,
          1e6,
@@ -281,8 +282,8 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.fill.shift; }},
         {"fill.spacing",
-         "between neighbouring passes; 0: a pin less than the rake where pins lift one by one, else a "
-         "twentieth less than it is wide",
+         "between neighbouring passes, at most the rake's width; 0: a pin less than the rake where pins lift "
+         "one by one, else a twentieth less than it is wide. Where pins lift, whole pins fit best",
          Kind::length,
          0,
          far,
@@ -290,7 +291,7 @@ std::vector<Setting> make_table() {
          "--line_distance",
          [](Options& o) -> Field { return &o.fill.spacing; }},
         {"fill.direction",
-         "of zigzag lines",
+         "zigzag: of its lines; giving it switches fill.best_direction off",
          Kind::angle,
          -1000,
          1000,
@@ -298,7 +299,7 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.fill.direction; }},
         {"fill.best_direction",
-         "choose the zigzag direction that wastes least, in each part",
+         "zigzag: the direction that wastes least, in each part, whatever fill.direction says",
          Kind::flag,
          0,
          1,
@@ -306,7 +307,7 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.fill.best_direction; }},
         {"fill.partition",
-         "how a zigzag area is cut into parts; fitted: where another direction wastes less sand",
+         "zigzag: how an area is cut into parts; fitted: where another direction wastes less sand",
          Kind::choice,
          0,
          0,
@@ -314,7 +315,7 @@ std::vector<Setting> make_table() {
          "--segmentation_on",
          [](Options& o) -> Field { return &o.fill.partition; }},
         {"fill.cuts",
-         "lines that part zigzag areas first, in metres on the ground: \"x,y x,y; x,y x,y\"",
+         "zigzag: lines that part areas first, in metres on the ground: \"x,y x,y; x,y x,y\"",
          Kind::text,
          0,
          0,
@@ -322,7 +323,7 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.fill.cuts; }},
         {"fill.segments",
-         "directions and styles of single zigzag segments, each by a point in it, in metres on the ground: "
+         "zigzag: directions and styles of single segments, each by a point in it, in metres on the ground: "
          "\"x,y direction=30deg; x,y style=rings\"",
          Kind::text,
          0,
@@ -331,15 +332,26 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.fill.segments; }},
         {"fill.one_stroke",
-         "the rake never lifts inside an area, even where it must rake over raked sand",
+         "the rake stays down inside an area, even where it must rake over raked sand. A robot that cannot "
+         "turn "
+         "on the spot still lifts it at corner loops, which are counted; made for plotters and robots that "
+         "can",
          Kind::flag,
          0,
          1,
          {},
          "",
          [](Options& o) -> Field { return &o.fill.one_stroke; }},
+        {"fill.rake_turns",
+         "zigzag: the rake stays down from line to line; off: it is lifted at each line's end",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.fill.rake_turns; }},
         {"fill.part_inset",
-         "each part of a partition shrinks by this",
+         "zigzag: each part shrinks by this, so that sand stays bare between parts and inside the border",
          Kind::length,
          0,
          far,
@@ -375,7 +387,7 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.fill.lift_pins; }},
         {"fill.border",
-         "a pass along the outline, driven last",
+         "zigzag: a pass along the outline, driven last; rings and spirals always end on it",
          Kind::flag,
          0,
          1,

@@ -6,6 +6,9 @@
 #include <map>
 #include <set>
 
+#include "base/units/units.hpp"
+#include "path/fill/fill.hpp"
+
 namespace strandline::pipeline {
 namespace {
 
@@ -28,12 +31,35 @@ std::vector<Rank> ranks_of(const Drawing& drawing) {
 
 }  // namespace
 
-Warnings drop_wrong_hints(svg::Document& document) {
+Outcome<void> valid_fill(const Options& options, const Robot& robot) {
+    if (const auto cuts = fill::cuts_of(options.fill.cuts, "fill.cuts"); !cuts)
+        return tl::unexpected(cuts.error());
+    if (const auto segments = fill::segment_choices_of(options.fill.segments, "fill.segments"); !segments)
+        return tl::unexpected(segments.error());
+    // A width is a product of what people write in decimals.
+    if (options.fill.spacing > robot.rake_width() * (1 + 1e-9))
+        return fail("fill.spacing",
+                    number_text(options.fill.spacing) + " m is wider than the rake of " + robot.name,
+                    "use at most " + number_text(robot.rake_width()) + " m");
+    return {};
+}
+
+Outcome<void> valid_for(const svg::Hint& hint, const Robot& robot) {
+    if (auto fine = valid(hint); !fine) return fine;
+    if (!is_fill_hint(hint)) return {};
+    Options options;
+    static_cast<void>(set(options, hint));  // just found valid
+    auto fine = valid_fill(options, robot);
+    if (!fine) fine.error().place = hint.name;
+    return fine;
+}
+
+Warnings drop_wrong_hints(svg::Document& document, const Robot& robot) {
     Warnings warnings;
     std::set<std::pair<std::string, std::string>> told;
     for (svg::Shape& shape : document.shapes)
         std::erase_if(shape.hints, [&](const svg::Hint& hint) {
-            const auto fine = valid(hint);
+            const auto fine = valid_for(hint, robot);
             if (!fine && told.emplace(hint.name, hint.value).second)
                 warnings.push_back({shape.place, "hint " + sentence(fine.error()) + "; it is passed over"});
             return !fine;

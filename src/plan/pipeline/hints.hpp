@@ -5,8 +5,12 @@
 
 namespace strandline::pipeline {
 
+/// Whether the settings of fills can be read, and suit the robot.
+Outcome<void> valid_fill(const Options& options, const Robot& robot);
+/// The same of one hint; others than fill-*: whether there is such a hint.
+Outcome<void> valid_for(const svg::Hint& hint, const Robot& robot);
 /// Takes out the hints that cannot be obeyed, with a warning for each name and value.
-Warnings drop_wrong_hints(svg::Document& document);
+Warnings drop_wrong_hints(svg::Document& document, const Robot& robot);
 /// The settings with the element's fill-* hints over them.
 Options options_for(const Element& element, const Options& options);
 /// The hints "start": where lines are entered.

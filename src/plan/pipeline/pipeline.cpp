@@ -9,6 +9,7 @@
 #include "plan/pipeline/edits.hpp"
 #include "plan/pipeline/hints.hpp"
 #include "plan/pipeline/pins.hpp"
+#include "plan/pipeline/shortfalls.hpp"
 #include "plan/pipeline/strokes.hpp"
 
 namespace strandline {
@@ -184,6 +185,15 @@ Outcome<void> valid(const Options& options, const Robot& robot) {
         return fail("corner.above",
                     "pivot needs a robot that turns on the spot, and " + robot.name + " does not",
                     "use loop or round, or set robot.can_pivot=on where the robot can");
+    if (auto fits = pipeline::valid_fill(options, robot); !fits) return fits;
+    const auto rules = rules_of(options.drawing.rules);
+    if (!rules) return tl::unexpected(rules.error());
+    for (const InkRule& rule : *rules)
+        for (const svg::Hint& hint : rule.hints)
+            if (auto fits = pipeline::valid_for(hint, robot); !fits) {
+                fits.error().place = "drawing.rules, " + fits.error().place;
+                return fits;
+            }
     return {};
 }
 
@@ -199,7 +209,7 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     if (const auto fits = valid(options, robot); !fits) return tl::unexpected(fits.error());
     const auto asked = drawing_options(options);
     if (!asked) return tl::unexpected(asked.error());
-    const Warnings wrong_hints = pipeline::drop_wrong_hints(document);
+    const Warnings wrong_hints = pipeline::drop_wrong_hints(document, robot);
     auto drawing = make_drawing(document, robot, *asked, patient(progress));
     if (!drawing) {
         Error error = drawing.error();
@@ -209,9 +219,13 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     }
 
     pipeline::Strokes strokes = pipeline::strokes_of(*drawing, robot, options, patient(progress));
-    if (strokes.groups.empty())
-        return fail(title, "nothing of the drawing can be raked at this size",
-                    "make the canvas larger, or choose a narrower rake");
+    if (strokes.groups.empty()) {
+        Error error{title, "nothing of the drawing can be raked at this size",
+                    "make the canvas larger, or choose a narrower rake"};
+        // Which element, and what was asked for it.
+        if (!strokes.warnings.empty()) error.reason += " (" + sentence(strokes.warnings.front()) + ")";
+        return tl::unexpected(error);
+    }
     if (const auto bearable = not_too_long(strokes.groups, options); !bearable)
         return tl::unexpected(bearable.error());
     order::Job job;
@@ -259,6 +273,7 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     plan.strokes = std::move(ordered->strokes);
     plan.order = std::move(ordered->entries);
     plan.stops = pipeline::stops_of(plan);
+    pipeline::say_shortfalls(plan);
     return plan;
 }
 

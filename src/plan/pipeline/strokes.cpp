@@ -10,6 +10,7 @@
 
 #include "plan/pipeline/hints.hpp"
 #include "plan/pipeline/pins.hpp"
+#include "plan/pipeline/unserved.hpp"
 
 namespace strandline::pipeline {
 namespace {
@@ -101,7 +102,11 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
     o.spacing = f.spacing > 0 ? std::min(f.spacing, o.width) : fitting;
     if (!f.best_direction) o.direction = f.direction;
     o.partition = *fill::named<fill::Partition>(f.partition, "fill.partition");
+    // What cannot be read, valid() has refused.
+    o.cuts = fill::cuts_of(f.cuts, "fill.cuts").value();
+    o.segments = fill::segment_choices_of(f.segments, "fill.segments").value();
     o.one_stroke = f.one_stroke;
+    o.rake_turns = f.rake_turns;
     o.part_inset = f.part_inset;
     o.min_area = f.min_area;
     o.border = f.border;
@@ -121,13 +126,12 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
 Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& options,
                    const Progress& progress) {
     Strokes strokes;
-    if (options.fill.spacing > robot.rake_width())
-        strokes.warnings.push_back({"fill.spacing", fmt::format("{} m is wider than the rake: {} m is used",
-                                                                options.fill.spacing, robot.rake_width())});
     const auto fall_back = [&](const std::string& place, std::string what) {
         ++strokes.fallbacks;
         strokes.warnings.push_back({place, std::move(what)});
     };
+    Unserved unserved;
+    Spacings spacings;
     for (std::size_t i = 0; i < drawing.elements.size(); ++i) {
         progress.report("filling", static_cast<double>(i) / static_cast<double>(drawing.elements.size()));
         const Element& element = drawing.elements[i];
@@ -147,18 +151,6 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
         } else {
             const Options wanted = options_for(element, options);
             fill::Options filling = fill_options(wanted, robot);
-            if (auto cuts = fill::cuts_of(wanted.fill.cuts, element.id + ", fill.cuts"))
-                filling.cuts = std::move(*cuts);
-            else
-                fall_back(cuts.error().place,
-                          fmt::format("{}: no cut is made; {}", cuts.error().reason, cuts.error().remedy));
-            if (auto segments =
-                    fill::segment_choices_of(wanted.fill.segments, element.id + ", fill.segments"))
-                filling.segments = std::move(*segments);
-            else
-                fall_back(segments.error().place,
-                          fmt::format("{}: no segment has its own direction or style; {}",
-                                      segments.error().reason, segments.error().remedy));
             const Region& region = std::get<RegionElement>(element.what).region;
             if (filling.masked && !sees_pins(region, robot)) {
                 filling.masked = false;
@@ -166,6 +158,8 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
                 fall_back(element.id, "is too large to lift pins one by one; all are down together");
             }
             fill::Fill filled = fill::fill_region(region, index, element.id, filling);
+            unserved.add(wanted, filling, filled);
+            spacings.add(filling);
             strokes.fallbacks += static_cast<int>(filled.warnings.size());
             strokes.warnings.insert(strokes.warnings.end(), filled.warnings.begin(), filled.warnings.end());
             group.work.strokes = std::move(filled.strokes);
@@ -180,6 +174,8 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
         else
             strokes.groups.push_back(std::move(group)), strokes.filled.push_back(std::move(own));
     }
+    for (const Warning& warning : unserved.warnings()) fall_back(warning.place, warning.reason);
+    for (const Warning& warning : spacings.warnings()) strokes.warnings.push_back(warning);
     progress.report("filling", 1);
     return strokes;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "result/check/faults.hpp"
 #include "result/sand/sand.hpp"
@@ -92,6 +93,15 @@ double tolerance_for(const Canvas& canvas) {
     return std::max(least, on_the_beach * std::min(1.0, share));
 }
 
+/// Gaps between parts, or what is narrower than the rake left out: by the settings, or by the element's
+/// hints.
+bool asks_for_bare_sand(const Element& element, const strandline::Options& options) {
+    strandline::Options own = options;
+    for (const svg::Hint& hint : element.hints)
+        if (is_fill_hint(hint)) static_cast<void>(set(own, hint));  // one that is wrong asks for nothing
+    return own.fill.narrow == "warn" || (own.fill.style == "zigzag" && own.fill.part_inset > 0);
+}
+
 void check_sand(const Plan& plan, const Options& options, Faults& faults, Report& report,
                 const Progress& progress) {
     sand::Options raster;
@@ -108,7 +118,9 @@ void check_sand(const Plan& plan, const Options& options, Faults& faults, Report
         // Smaller regions are left out because the options say so.
         if (account.area < plan.options.fill.min_area || account.area <= 0) continue;
         const double share = account.covered / account.area;
-        if (share >= options.coverage_floor) continue;
+        // Where sand is to stay bare because the options say so, nothing raked at all is still a fault.
+        const bool bare_asked = asks_for_bare_sand(element, plan.options);
+        if (share >= (bare_asked ? std::numeric_limits<double>::min() : options.coverage_floor)) continue;
         const std::string name = element.id.empty()
                                      ? fmt::format("element {}", account.element)
                                      : fmt::format("element {} ({})", account.element, element.id);
@@ -124,6 +136,7 @@ void check_sand(const Plan& plan, const Options& options, Faults& faults, Report
         report.overdraw = overdraw / area;
         report.spill = sand.spill / area;
     }
+    for (const sand::Bare& bare : sand.bare) report.bare.push_back({bare.at, bare.area, bare.element});
     for (const sand::Blemish& b : sand.blemishes) {
         report.blemishes.push_back({b.at, b.area, b.crossings, b.element, b.t});
         report.crossings += b.crossings;

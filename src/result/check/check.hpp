@@ -43,9 +43,16 @@ struct Blemish {
     int element = -1;
     double t = 0;
 };
+/// Sand of a region that no pin raked: corners, turns, narrow parts.
+struct Bare {
+    Point at;
+    double area = 0;  ///< m^2
+    int element = -1;
+};
 struct Report {
     std::vector<Fault> faults;
     std::vector<Blemish> blemishes;
+    std::vector<Bare> bare;  ///< largest first
     // re-measured from samples and elements, not copied from the plan's own figures
     double drawn = 0, up_driven = 0, time = 0;
     double coverage = 1, overdraw = 0, spill = 0;  ///< of the regions' area together

@@ -69,6 +69,10 @@ std::string write_report(const check::Report& report) {
         one("x", fault.at.x)("y", fault.at.y)("sample", fault.sample)("stroke", fault.stroke);
         one("element", fault.element).close();
     });
+    all.list("bare", report.bare, [&](const check::Bare& bare) {
+        Members one(text);
+        one("x", bare.at.x)("y", bare.at.y)("area", bare.area)("element", bare.element).close();
+    });
     all.list("blemishes", report.blemishes, [&](const check::Blemish& blemish) {
         Members one(text);
         one("x", blemish.at.x)("y", blemish.at.y)("area", blemish.area)("crossings", blemish.crossings);

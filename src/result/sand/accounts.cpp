@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 namespace strandline::sand {
 namespace {
@@ -68,13 +70,14 @@ Owners region_owners(const Plan& plan, double cell, Box laid) {
     return owners;
 }
 
-std::vector<Account> region_accounts(const Plan& plan, const Ground& ground, Box laid) {
-    std::vector<Account> accounts;
+Accounts region_accounts(const Plan& plan, const Ground& ground, Box laid) {
+    Accounts accounts;
     const double cell_area = ground.cell_size() * ground.cell_size();
     for (std::size_t e = 0; e < plan.drawing.elements.size(); ++e) {
         const Region* region = region_of(plan.drawing.elements[e]);
         if (region == nullptr) continue;
         Account account{.element = static_cast<int>(e)};
+        std::vector<BareRun> bare;
         if (region->outer.size() >= 3) {
             const Box box = bounds(*region);
             const bool countable = box.height() / ground.cell_size() < most_rows;
@@ -84,15 +87,24 @@ std::vector<Account> region_accounts(const Plan& plan, const Ground& ground, Box
                 account.area += static_cast<double>(end - first) * cell_area;
                 for (int i = std::max(first, left); i < std::min(end, right); ++i) {
                     const Cell* cell = ground.find(i, row);
-                    if (cell == nullptr || cell->passes == 0) continue;
+                    if (cell == nullptr || cell->passes == 0) {
+                        if (!bare.empty() && bare.back().row == row && bare.back().end == i)
+                            ++bare.back().end;
+                        else
+                            bare.push_back({row, i, i + 1});
+                        continue;
+                    }
                     account.covered += cell_area;
                     account.overdraw += (cell->passes - 1) * cell_area;
                 }
             });
             if (!countable) account.area = area(*region);
         }
-        accounts.push_back(account);
+        accounts.regions.push_back(account);
+        std::ranges::move(bare_pieces(bare, ground, plan.robot.pin_pitch, account.element),
+                          std::back_inserter(accounts.bare));
     }
+    std::ranges::stable_sort(accounts.bare, std::greater{}, &Bare::area);
     return accounts;
 }
 

@@ -15,7 +15,20 @@ struct Owners {
 /// The regions' cells within `laid`. Of overlapping regions the later owns the cell. O(cells + rows x
 /// corners).
 Owners region_owners(const Plan& plan, double cell, Box laid);
-/// Area, coverage and overdraw of every region. Regions outside `laid` keep their exact area.
-std::vector<Account> region_accounts(const Plan& plan, const Ground& ground, Box laid);
+/// What became of every region.
+struct Accounts {
+    std::vector<Account> regions;  ///< regions outside `laid` keep their exact area
+    std::vector<Bare> bare;        ///< within `laid`, largest first
+};
+Accounts region_accounts(const Plan& plan, const Ground& ground, Box laid);
+
+/// Cells of one row that are bare: first .. end - 1.
+struct BareRun {
+    int row, first, end;
+};
+/// Runs, by row and then by cell, in pieces that hang together by edges: those that are at least `least`
+/// metres wide and high. O(runs log runs).
+std::vector<Bare> bare_pieces(const std::vector<BareRun>& runs, const Ground& ground, double least,
+                              int element);
 
 }  // namespace strandline::sand

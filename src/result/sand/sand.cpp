@@ -117,10 +117,13 @@ class Layer {
         }
         Sand sand{.ground = std::move(ground_),
                   .regions = {},
+                  .bare = {},
                   .spill = 0,
                   .driven = driven_,
                   .blemishes = events_.take()};
-        sand.regions = region_accounts(plan_, sand.ground, laid_);
+        Accounts accounts = region_accounts(plan_, sand.ground, laid_);
+        sand.regions = std::move(accounts.regions);
+        sand.bare = std::move(accounts.bare);
         sand.spill = spilt_ * options_.cell * options_.cell;
         return sand;
     }

@@ -31,11 +31,18 @@ struct Blemish {
     int element = -1;   ///< whose ground
     double t = 0;       ///< s, when
 };
+/// Sand of a region that no pin raked, in one piece that is at least a pin wide both along x and along y.
+struct Bare {
+    Point at;  ///< the middle of its longest row of cells
+    double area = 0;
+    int element = -1;
+};
 struct Sand {
     Ground ground;
     std::vector<Account> regions;
-    double spill = 0;   ///< m^2 raked outside every region by strokes of no line
-    double driven = 0;  ///< m of P's path
+    std::vector<Bare> bare;  ///< largest first
+    double spill = 0;        ///< m^2 raked outside every region by strokes of no line
+    double driven = 0;       ///< m of P's path
     std::vector<Blemish> blemishes;
 };
 /// Lays the plan. A plan's numbers must be finite. O(driven length x width / cell^2 + area of regions /

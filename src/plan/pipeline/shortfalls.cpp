@@ -1,0 +1,61 @@
+#include "plan/pipeline/shortfalls.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plan/pipeline/hints.hpp"
+
+namespace strandline::pipeline {
+namespace {
+
+void say_undrivable(Plan& plan) {
+    if (plan.undrivable.empty()) return;
+    double sum = 0;
+    for (const Spot& spot : plan.undrivable) sum += spot.amount;
+    const Spot& longest = *std::ranges::max_element(plan.undrivable, {}, &Spot::amount);
+    plan.warnings.push_back(
+        {"the drive",
+         fmt::format(
+             "the rake cannot follow its path along {} spans, {:.2f} m together, the longest {:.2f} m near "
+             "({:.2f}, {:.2f}): it is lifted there in areas and beside its place on lines (-v lists all)",
+             plan.undrivable.size(), sum, longest.amount, longest.at.x, longest.at.y)});
+}
+
+bool in_one_stroke(const Plan& plan, int stroke) {
+    if (stroke < 0) return false;
+    const int element = plan.strokes[static_cast<std::size_t>(stroke)].element;
+    const Element& of = plan.drawing.elements[static_cast<std::size_t>(element)];
+    return is_region(of) && options_for(of, plan.options).fill.one_stroke;
+}
+
+/// Loops at corners, and where the rake is lost, between two draws of the same stroke.
+void say_lifts(Plan& plan) {
+    int lifts = 0, drawn = -1;
+    bool lifted = false;
+    Point last, first;
+    for (const Sample& sample : plan.samples) {
+        lifted = lifted || sample.motion == Motion::loop || sample.motion == Motion::lead;
+        if (sample.motion != Motion::draw) continue;
+        if (lifted && sample.stroke == drawn && in_one_stroke(plan, drawn) && ++lifts == 1) first = last;
+        lifted = false;
+        drawn = sample.stroke;
+        last = sample.rake;
+    }
+    if (lifts == 0) return;
+    ++plan.figures.fallbacks;
+    plan.warnings.push_back(
+        {"fill.one_stroke",
+         fmt::format("the rake is lifted all the same {} times within areas, where {} cannot follow "
+                     "a corner with the rake down, first near ({:.2f}, {:.2f})",
+                     lifts, plan.robot.name, first.x, first.y)});
+}
+
+}  // namespace
+
+void say_shortfalls(Plan& plan) {
+    say_undrivable(plan);
+    say_lifts(plan);
+}
+
+}  // namespace strandline::pipeline
