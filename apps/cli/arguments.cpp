@@ -45,7 +45,7 @@ Outcome<Robot> robot_named(const std::string& name) {
 Outcome<void> set_from_text(Wishes& wishes, const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
-        return fail("--set " + text, "is not key=value", "write for example --set fill.spacing=40cm");
+        return fail("--set " + text, "is not key=value", "write for example --set fill.spacing=36cm");
     const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
     if (key.starts_with("robot.")) {
         wishes.robot_fields.emplace_back(key.substr(6), value);

@@ -18,7 +18,7 @@ struct Wishes {
     Options options;
     std::vector<Edit> edits;
 };
-/// Settings file: tables as in `strandline settings` ([fill] spacing = "40cm"); robot = "NAME", or [robot]
+/// Settings file: tables as in `strandline settings` ([fill] spacing = "36cm"); robot = "NAME", or [robot]
 /// with base = "NAME" and FIELD = value; edits as lists of texts: link = ["a:0=b:-1"], entry = [...],
 /// direction = [...]. Errors name the key and the line.
 Outcome<void> read_settings_file(Wishes& wishes, const std::string& path);

@@ -90,6 +90,12 @@ int fill(const FillArguments& arguments, const Common& common) {
     if (!segments) return complain(segments.error(), bad_call);
     options.segments = std::move(*segments);
     options.one_stroke = arguments.one_stroke;
+    Warnings unused;
+    for (const fill::Choice& choice : fill::choices_of(options))
+        if (!choice.read)
+            unused.push_back(
+                {fmt::format("--{}", choice.name),
+                 fmt::format("does nothing with --style {}: it serves {}", arguments.style, choice.serves)});
     if (arguments.vehicle != "free") {
         const auto robot = robot_named(arguments.vehicle);
         if (!robot) return complain(robot.error(), bad_call);
@@ -124,6 +130,7 @@ int fill(const FillArguments& arguments, const Common& common) {
     options.tolerance = options.width / width_per_tolerance;
 
     const Progress progress = console_progress(common.quiet);
+    std::vector<bool> cuts_used(options.cuts.size()), segments_used(options.segments.size());
     std::vector<Stroke> strokes;
     std::vector<Polyline> ways;
     for (std::size_t i = 0; i < task->regions.size(); ++i) {
@@ -132,10 +139,26 @@ int fill(const FillArguments& arguments, const Common& common) {
             task->regions.size() == 1 ? arguments.input : fmt::format("{}, part {}", arguments.input, i + 1);
         fill::Fill filled = fill::fill_region(task->regions[i], 0, place, options);
         warn(filled.warnings, common.quiet);
+        for (std::size_t k = 0; k < cuts_used.size(); ++k)
+            if (filled.cuts_used[k]) cuts_used[k] = true;
+        for (std::size_t k = 0; k < segments_used.size(); ++k)
+            if (filled.segments_used[k]) segments_used[k] = true;
         strokes.insert(strokes.end(), filled.strokes.begin(), filled.strokes.end());
         ways.insert(ways.end(), filled.ways.begin(), filled.ways.end());
     }
     progress.report("filling", 1);
+    if (options.style == fill::Style::zigzag) {
+        for (std::size_t i = 0; i < cuts_used.size(); ++i)
+            if (!cuts_used[i])
+                unused.push_back(
+                    {"--cuts", fmt::format("cut {} parts nothing: draw it from edge to edge", i + 1)});
+        for (std::size_t i = 0; i < segments_used.size(); ++i)
+            if (!segments_used[i])
+                unused.push_back(
+                    {"--segments",
+                     fmt::format("choice {} lies in no segment: name a point inside of one", i + 1)});
+    }
+    warn(unused, common.quiet);
     if (strokes.empty())
         return complain({arguments.input, "nothing of it can be raked", "use a narrower rake"}, bad_input);
     std::vector<rake::PinSpans> masks;

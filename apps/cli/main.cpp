@@ -92,7 +92,7 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->add_flag("--open", a.open, "write a picture beside the plan and open it");
     plan->footer(R"(Examples:
   strandline plan lion.svg -o lion.json
-  strandline plan logo.svg -o logo.json --canvas 20x20 --set fill.style=zigzag --set fill.spacing=40cm
+  strandline plan logo.svg -o logo.json --canvas 20x20 --set fill.style=zigzag --set fill.spacing=36cm
   strandline plan card.svg --robot plotter --canvas A5 --margin 10mm -o card.json
   strandline plan eye.svg --link iris:0=lid:-1 --direction lid=backward -o eye.json
   strandline plan --text "Hello\nbeach" --font scripts --height 1m -o hello.json
@@ -159,23 +159,27 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     fill->add_option("--width", f.width, "rake width; overrides the file's");
     fill->add_option("--style", f.style, "rings, spiral or zigzag")->capture_default_str();
     fill->add_option("--join", f.join,
-                     "how a ring leads on to the next: half-step, nearest, alternating or longest-edge")
+                     "rings: how one leads on to the next: half-step, nearest, alternating or longest-edge")
         ->capture_default_str();
-    fill->add_option("--inset", f.inset, "how rings follow from the outline: offset (Euclidean), or skeleton")
+    fill->add_option("--inset", f.inset,
+                     "rings, spiral: how they follow from the outline: offset (Euclidean) or skeleton")
         ->capture_default_str();
     fill->add_option("--shift", f.shift, "spiral, rake widths: the stretch of a turn that shifts outwards")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     fill->add_option("--spacing", f.spacing, "between neighbouring passes");
-    fill->add_option("--direction", f.direction, "of zigzag lines; else what wastes least");
-    fill->add_option("--partition", f.partition, "of zigzag areas: none, monotone, optimal-convex or fitted")
+    fill->add_option("--direction", f.direction, "zigzag: of its lines; else what wastes least");
+    fill->add_option("--partition", f.partition,
+                     "zigzag: how an area is parted: none, monotone, optimal-convex or fitted")
         ->check(CLI::IsMember({"none", "monotone", "optimal-convex", "fitted"}))
         ->capture_default_str();
-    fill->add_option("--cuts", f.cuts, "lines that part zigzag areas first: \"0,2 4,2; 1,0 1,5\"");
+    fill->add_option("--cuts", f.cuts, "zigzag: lines that part areas first: \"0,2 4,2; 1,0 1,5\"");
     fill->add_option("--segments", f.segments,
-                     "directions and styles of zigzag segments, each by a point in it: \"2,3 "
+                     "zigzag: directions and styles of segments, each by a point in it: \"2,3 "
                      "direction=30deg; 5,1 style=rings\"");
-    fill->add_flag("--one-stroke", f.one_stroke, "the rake never lifts inside the area");
+    fill->add_flag("--one-stroke", f.one_stroke,
+                   "the rake stays down inside the area, as planned; a robot that "
+                   "cannot turn on the spot lifts it at corner loops");
     fill->add_option("--pins", f.pins, "the rake has this many pins that lift; strokes get masks")
         ->check(CLI::Range(1, 32));
     fill->add_option("--narrow", f.narrow,

@@ -93,7 +93,7 @@ Outcome<void> read_settings_file(Wishes& wishes, const std::string& path) {
             done = read_group(wishes, key, *table, path);
         else
             done = fail(at(path, node), fmt::format("\"{}\" is not a table of settings", key),
-                        "write [fill] and below it spacing = \"40cm\"; strandline settings lists them");
+                        "write [fill] and below it spacing = \"36cm\"; strandline settings lists them");
         if (!done) return done;
     }
     return {};

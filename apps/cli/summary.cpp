@@ -112,7 +112,8 @@ std::string shortcomings(const Plan& plan, const check::Report& report) {
     say(plan.undrivable.size(), "along {} spans the rake cannot follow its path (-v lists them)");
     say(plan.idle_edits.size(), "{} edits find no place: see the warnings");
     say(report.blemishes.size(),
-        "finished ground is driven over at {} places (strandline check -v lists them)");
+        "finished sand is driven over, or finished lines are crossed, at {} places (strandline check -v "
+        "lists them)");
     return text;
 }
 

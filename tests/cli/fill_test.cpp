@@ -20,18 +20,52 @@ TEST(Fill, SegmentsOfAZigzagHaveTheirOwnStyle) {
     EXPECT_NE(read(folder / "rings.json"), read(folder / "lines.json"));
     EXPECT_NE(run(folder, call + "x.json --segments '18,3 style=rings'").err.find("choice 1"),
               std::string::npos);
+    EXPECT_NE(run(folder, "fill hall.json --style zigzag --cuts '1,1 2,1' -o x.json").err.find("cut 1"),
+              std::string::npos);
+    EXPECT_NE(run(folder, "fill hall.json --style spiral --join nearest -o x.json").err.find("--join"),
+              std::string::npos);
     expect_refused(folder, call + "out --segments '8,3 style=swirl'", 2, "--segments: segment 1");
 }
-TEST(Fill, AWrongSegmentOfAPlanIsNamedAndLeftOut) {
-    const Folder folder;
+
+/// A plate of 100 x 60 in a file.
+void write_plate(const Folder& folder) {
     write(folder / "in.svg",
           "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='60'><rect id='r' width='100' "
           "height='60'/></svg>");
-    const Result made = run(folder,
-                            "plan in.svg -o plan.json --set fill.style=zigzag --set "
-                            "'fill.segments=1,1 style=swirl'");
-    EXPECT_EQ(made.exit, 0) << made.err;
-    EXPECT_NE(made.err.find("r, fill.segments"), std::string::npos) << made.err;
+}
+
+TEST(Fill, WrongCutsSegmentsAndSpacingsOfAPlanAreRefused) {
+    const Folder folder;
+    write_plate(folder);
+    const std::string call = "plan in.svg -o out --set fill.style=zigzag --set ";
+    expect_refused(folder, call + "'fill.segments=1,1 style=swirl'", 2, "fill.segments");
+    expect_refused(folder, call + "'fill.cuts=1,1'", 2, "fill.cuts");
+    expect_refused(folder, call + "fill.spacing=5m", 2, "fill.spacing");
+    expect_refused(folder, call + "fill.spacing=30cm --rule 'id=r: fill-cuts=1,1'", 2, "fill-cuts");
+    expect_refused(folder, call + "fill.spacing=30cm --rule 'id=r: fill-spacing=5m'", 2, "fill-spacing");
+    EXPECT_EQ(run(folder, call + "fill.spacing=42cm").exit, 0);
+}
+
+TEST(Fill, StrictSaysWhyItEndsWithThree) {
+    const Folder folder;
+    write_plate(folder);
+    const Result made =
+        run(folder, "plan in.svg -q --strict -o plan.json --set fill.join=nearest --set fill.style=zigzag");
+    EXPECT_EQ(made.exit, 3);
+    EXPECT_NE(made.err.find("strict: 1 things are done otherwise"), std::string::npos) << made.err;
+    EXPECT_NE(made.err.find("strict: along"), std::string::npos) << made.err;
+    const Result all = run(folder, "check -v plan.json");
+    EXPECT_NE(all.out.find("not drivable: at ("), std::string::npos) << all.out;
+    EXPECT_NE(all.out.find("bare as driven: "), std::string::npos) << all.out;
+}
+
+TEST(Fill, AnAreaThatIsLeftBareIsNamedWithTheChoiceThatLeavesIt) {
+    const Folder folder;
+    write(folder / "in.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='2'><rect id='r' width='100' "
+          "height='2'/></svg>");
+    expect_refused(folder, "plan in.svg -o out --set fill.narrow=warn", 1, "narrow=warn");
+    expect_refused(folder, "plan in.svg -o out --set fill.narrow=warn", 1, "(r: is 0.26 to 0.26 m wide");
 }
 
 }  // namespace

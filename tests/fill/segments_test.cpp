@@ -144,9 +144,19 @@ TEST(FillSegments, AChoiceForNoSegmentIsNamedAndChangesNothing) {
     options.segments = {{{2, 3}, 0}, {{11, 3}, {}, Style::rings}};
     const Fill fill = fill_region(hall, 0, "hall", options);
     EXPECT_EQ(fill.swept, swept);
+    EXPECT_TRUE(fill.warnings.empty());
+    EXPECT_EQ(fill.segments_used, (std::vector<bool>{true, false}));
+}
+
+TEST(FillSegments, ChoicesForOnePartThatContradictEachOtherAreNamed) {
+    Options options = halved();
+    options.segments = {{{2, 3}, 0.5}, {{2, 4}, {}, Style::rings}};
+    EXPECT_TRUE(fill_region(hall, 0, "hall", options).warnings.empty());
+    options.segments = {{{2, 3}, 0.5}, {{8, 3}, 0.5}, {{2, 4}, 1.2}};
+    const Fill fill = fill_region(hall, 0, "hall", options);
     ASSERT_EQ(fill.warnings.size(), 1u);
     EXPECT_EQ(fill.warnings[0].place, "hall");
-    EXPECT_NE(fill.warnings[0].reason.find("choice 2 is for (11.00, 3.00)"), std::string::npos);
+    EXPECT_NE(fill.warnings[0].reason.find("segment choice 3"), std::string::npos);
 }
 
 TEST(FillSegments, ASegmentTooNarrowForItsStyleIsNamed) {

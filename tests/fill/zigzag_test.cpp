@@ -67,13 +67,12 @@ TEST(FillZigzag, CutsPartTheAreaAndEachPartHasItsOwnDirection) {
     EXPECT_TRUE(fill_region(cross, 0, "area", options).warnings.empty());
 }
 
-TEST(FillZigzag, ACutThatPartsNothingIsNamed) {
+TEST(FillZigzag, ACutThatPartsNothingIsNotUsed) {
     Options options = lifted();
-    options.cuts = {{{1, 1}, {2, 1}}};
+    options.cuts = {{{1, 1}, {2, 1}}, {{3, -1}, {3, 7}}};
     const Fill fill = fill_region(areas::square(), 0, "square", options);
-    ASSERT_EQ(fill.warnings.size(), 1u);
-    EXPECT_EQ(fill.warnings[0].place, "square");
-    EXPECT_NE(fill.warnings[0].reason.find("cut 1"), std::string::npos);
+    EXPECT_TRUE(fill.warnings.empty());
+    EXPECT_EQ(fill.cuts_used, (std::vector<bool>{false, true}));
 }
 
 TEST(FillZigzag, CutsAreReadFromText) {

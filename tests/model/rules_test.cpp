@@ -21,6 +21,14 @@ TEST(Rules, ARuleSelectsAndAsks) {
     EXPECT_EQ(rules->at(1).pattern, "#ff00aa");
     EXPECT_EQ(rules_of("id=path@3:7: tool=2")->at(0).pattern, "path@3:7");
     EXPECT_TRUE(rules_of("")->empty());
+    // Commas and semicolons within a value: what goes on begins like a number.
+    const auto cut = rules_of(
+        "id=a: fill-cuts=0,2 4,2; -1,0 1.5,5, pins=3; id=b: fill-segments=1,1 style=rings; .5,2 direction=3");
+    ASSERT_TRUE(cut) << sentence(cut.error());
+    ASSERT_EQ(cut->size(), 2u);
+    EXPECT_EQ(cut->at(0).hints, (std::vector<svg::Hint>{{"fill-cuts", "0,2 4,2;-1,0 1.5,5"}, {"pins", "3"}}));
+    EXPECT_EQ(cut->at(1).hints,
+              (std::vector<svg::Hint>{{"fill-segments", "1,1 style=rings;.5,2 direction=3"}}));
 }
 
 TEST(Rules, WhatCannotBeReadIsRefusedWithTheRule) {

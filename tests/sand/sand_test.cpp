@@ -43,6 +43,27 @@ TEST(Sand, AStraightStrokeRakesItsLengthTimesItsPinsWidth) {
     }
 }
 
+TEST(Sand, BarePiecesOfARegionAreListedWithTheirPlaceAndArea) {
+    Drive drive(raking_robot(), {{5, 5}, 0});
+    // Raked is a strip in the middle of its height: bare above it 0.3 m and below it 0.1 m high.
+    const Point rake = drive.rake();
+    const double half = drive.plan().robot.rake_width() / 2;
+    Plan& plan = drive.plan();
+    plan.drawing.elements.push_back(box_element(rake + Point{0, -half - 0.1}, rake + Point{3, half + 0.3}));
+    drive.go({{3, 0, 0}}, Motion::draw, 0);
+    plan.strokes.push_back({.element = 0, .fill = true});
+    Plan finished = drive.finished();
+    for (Sample& sample : finished.samples)
+        if (sample.motion == Motion::draw) sample.mask = pin_mask(finished.robot, finished.robot.pins);
+    const sand::Sand sand = sand::simulate(finished);
+    ASSERT_EQ(sand.bare.size(), 2u);
+    EXPECT_NEAR(sand.bare[0].area, 0.9, 0.1);
+    EXPECT_NEAR(sand.bare[0].at.y, rake.y + half + 0.15, 0.16);
+    EXPECT_NEAR(sand.bare[1].area, 0.3, 0.1);
+    EXPECT_NEAR(sand.bare[1].at.y, rake.y - half - 0.05, 0.06);
+    EXPECT_EQ(sand.bare[1].element, 0);
+}
+
 TEST(Sand, OnAnArcTheSkewBarRakesANarrowerSwath) {
     // FINDINGS, robot: R = 0.5 m, offset 0.2 m: swath 0.379 m for a bar of 0.42 m (0.5 is P's radius here).
     Drive drive(raking_robot(), {{5, 5}, 0});

@@ -38,10 +38,7 @@ Region thinned_if_rough(const Region& region, double tolerance) {
     std::size_t corners = region.outer.size();
     for (const Polygon& hole : region.holes) corners += hole.size();
     if (corners <= many_corners) return region;
-    Region plain{thinned_outline(region.outer, tolerance), {}};
-    for (const Polygon& hole : region.holes)
-        if (Polygon outline = thinned_outline(hole, tolerance); outline.size() >= 3)
-            plain.holes.push_back(std::move(outline));
+    Region plain = thinned_region(region, tolerance);
     return plain.outer.size() < 3 ? region : plain;
 }
 

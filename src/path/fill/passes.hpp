@@ -44,6 +44,8 @@ Regions centre_of(const Levels& levels, const Region& sand, int level, const Opt
 Polyline middle_line(const Polygon& outline, double widest);
 /// The chain without corners that lie within `tolerance` of it: Douglas-Peucker (1973).
 Polyline thinned(const Polyline& line, double tolerance);
+/// The area with its outlines thinned so; holes that come to nothing are dropped. Outlines may come to touch.
+Region thinned_region(const Region& region, double tolerance);
 /// The chain with its corners rounded to `radius`, or as much as half the shorter neighbour allows. Corners
 /// of less than about 6 degrees stay.
 Polyline rounded(const Polyline& line, double radius);

@@ -94,11 +94,7 @@ class Nesting {
     /// Where the rake's centre goes in sand that is raked by rings.
     Regions thinned_centre(const Region& sand, int level) const {
         Regions centre = centre_of(levels_, sand, level, options_);
-        for (Region& part : centre) {
-            part.outer = thinned_outline(part.outer, thinning_);
-            for (Polygon& hole : part.holes) hole = thinned_outline(hole, thinning_);
-            std::erase_if(part.holes, [](const Polygon& hole) { return hole.size() < 3; });
-        }
+        for (Region& part : centre) part = thinned_region(part, thinning_);
         std::erase_if(centre, [&](const Region& part) {
             if (part.outer.size() < 3) return true;
             double round = perimeter(part.outer);
@@ -234,16 +230,21 @@ class Nesting {
 
 }  // namespace
 
+Region thinned_region(const Region& region, double tolerance) {
+    Region plain{thinned_outline(region.outer, tolerance), {}};
+    for (const Polygon& hole : region.holes)
+        if (Polygon outline = thinned_outline(hole, tolerance); outline.size() >= 3)
+            plain.holes.push_back(std::move(outline));
+    return plain;
+}
+
 std::vector<Ring> rings_of(const Region& region, const Levels& levels, const Options& options) {
     Regions border = levels.room;
     std::size_t corners = 0;
     for (Region& part : border) {
-        part.outer = thinned_outline(part.outer, options.width / fine);
+        part = thinned_region(part, options.width / fine);
         corners += part.outer.size();
-        for (Polygon& hole : part.holes) {
-            hole = thinned_outline(hole, options.width / fine);
-            corners += hole.size();
-        }
+        for (const Polygon& hole : part.holes) corners += hole.size();
     }
     const double thinning = options.width / (corners > many_corners ? coarse : fine);
     return Nesting(levels, options, thinning).rings(region, border);

@@ -121,8 +121,17 @@ void paint_grooves(Painter& paint, const Plan& plan, const Sketch& sketch) {
     const auto track = [&](const sketch::Groove& g, double offset) {
         return sketch::bar_track(plan.samples, g.run, g.offset + offset);
     };
-    for (const sketch::Groove& g : sketch.grooves) {
-        paint.line(track(g, 0), paint.pixels(g.width) + 2 * paint.em(0.09), berm);
+    const auto element = [&](const sketch::Groove& g) {
+        const bool known = g.run.stroke >= 0 && g.run.stroke < static_cast<int>(plan.strokes.size());
+        return known ? plan.strokes[static_cast<std::size_t>(g.run.stroke)].element : -1;
+    };
+    std::size_t bermed = 0;
+    for (std::size_t i = 0; i < sketch.grooves.size(); ++i) {
+        const sketch::Groove& g = sketch.grooves[i];
+        // Of one element first of all: what its passes throw up on each other would look half raked.
+        for (; bermed < sketch.grooves.size() && element(sketch.grooves[bermed]) == element(g); ++bermed)
+            paint.line(track(sketch.grooves[bermed], 0),
+                       paint.pixels(sketch.grooves[bermed].width) + 2 * paint.em(0.09), berm);
         // Pin by pin: in a curve the bar stands skew and the band is narrower than its pins side by side.
         constexpr double overlap = 1.06;  // no hairline of sand between neighbours
         for (int pin = 0; pin < g.pins; ++pin)
