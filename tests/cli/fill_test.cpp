@@ -48,7 +48,9 @@ TEST(Fill, WrongCutsSegmentsAndSpacingsOfAPlanAreRefused) {
 
 TEST(Fill, StrictSaysWhyItEndsWithThree) {
     const Folder folder;
-    write_plate(folder);
+    write(folder / "in.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><polygon points='50,5 60,35 93,36 "
+          "67,56 76,86 50,68 24,86 33,56 7,36 39,35'/></svg>");
     const Result made =
         run(folder, "plan in.svg -q --strict -o plan.json --set fill.join=nearest --set fill.style=zigzag");
     EXPECT_EQ(made.exit, 3);

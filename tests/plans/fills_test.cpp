@@ -13,6 +13,9 @@ const char* const two_areas = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox
   <rect id="left" x="0" y="0" width="40" height="100"/>
   <rect id="right" x="60" y="0" width="40" height="100" data-strandline-fill-style="spiral"/></svg>)";
 
+const char* const star = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100"><polygon
+  points="50,5 60,35 93,36 67,56 76,86 50,68 24,86 33,56 7,36 39,35"/></svg>)";
+
 Plan planned(const std::string& robot, const std::vector<std::pair<std::string, std::string>>& asked,
              const char* drawing = two_areas) {
     Options options;
@@ -76,18 +79,16 @@ TEST(FillsOfAPlan, ADirectionThatTheBestOneOverrulesIsNamed) {
 }
 
 TEST(FillsOfAPlan, SpansThatCannotBeDrivenAreOneWarning) {
-    const Plan plan = planned("beachbot", {{"fill.style", "zigzag"}});
+    const Plan plan = planned("beachbot", {{"fill.style", "zigzag"}}, star);
     ASSERT_FALSE(plan.undrivable.empty());
     ASSERT_EQ(said_of(plan, "the drive").size(), 1u);
     EXPECT_NE(said_of(plan, "the drive")[0].find(std::to_string(plan.undrivable.size()) + " spans"),
               std::string::npos);
+    EXPECT_TRUE(said_of(planned("beachbot", {}), "the drive").empty());
 }
 
 TEST(FillsOfAPlan, OneStrokeSaysWhereTheRobotMustLiftAllTheSame) {
     const auto said = [](const Plan& plan) { return said_of(plan, "fill.one_stroke"); };
-    const char* const star =
-        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100"><polygon points="50,5 60,35
-      93,36 67,56 76,86 50,68 24,86 33,56 7,36 39,35"/></svg>)";
     const Plan lifted = planned("beachbot", {{"fill.one_stroke", "on"}}, star);
     EXPECT_EQ(lifted.strokes.size(), 1u);
     EXPECT_EQ(said(lifted).size(), 1u);
