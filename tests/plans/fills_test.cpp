@@ -57,6 +57,20 @@ TEST(FillsOfAPlan, ACutOrSegmentOfOneAreaIsNoMistakeInAnother) {
     EXPECT_NE(said_of(plan, "fill.segments")[0].find("choice 2"), std::string::npos);
 }
 
+TEST(FillsOfAPlan, AHintThatCannotBeReadOrSuitsNotTheRobotIsPassedOverAndCounted) {
+    for (const char* hint : {"fill-cuts='1,1'", "fill-segments='1,1'", "fill-spacing='5m'"}) {
+        const std::string drawing = std::string(
+                                        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><rect "
+                                        "id='plate' width='100' height='100' data-strandline-") +
+                                    hint + "/></svg>";
+        const Plan plan = planned("beachbot", {}, drawing.c_str());
+        EXPECT_EQ(plan.figures.fallbacks, 1) << hint;
+        EXPECT_TRUE(std::ranges::any_of(plan.warnings, [](const Warning& warning) {
+            return warning.reason.find("hint fill-") != std::string::npos;
+        })) << hint;
+    }
+}
+
 TEST(FillsOfAPlan, ASpacingOfNoWholePinsIsNamedWithTheNearestOnes) {
     const auto said = said_of(planned("beachbot", {{"fill.spacing", "40cm"}}), "fill.spacing");
     ASSERT_EQ(said.size(), 1u);
