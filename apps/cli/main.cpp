@@ -177,9 +177,7 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     fill->add_option("--segments", f.segments,
                      "zigzag: directions and styles of segments, each by a point in it: \"2,3 "
                      "direction=30deg; 5,1 style=rings\"");
-    fill->add_flag("--one-stroke", f.one_stroke,
-                   "the rake stays down inside the area, as planned; a robot that "
-                   "cannot turn on the spot lifts it at corner loops");
+    fill->add_flag("--one-stroke", f.one_stroke, "the rake does not lift inside the area, as planned");
     fill->add_option("--pins", f.pins, "the rake has this many pins that lift; strokes get masks")
         ->check(CLI::Range(1, 32));
     fill->add_option("--narrow", f.narrow,

@@ -332,10 +332,8 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.fill.segments; }},
         {"fill.one_stroke",
-         "the rake stays down inside an area, even where it must rake over raked sand. A robot that cannot "
-         "turn "
-         "on the spot still lifts it at corner loops, which are counted; made for plotters and robots that "
-         "can",
+         "the rake stays down inside an area, even where it must rake over raked sand. Made for plotters: "
+         "where a rake that trails cannot follow a corner it is lifted all the same, and that is counted",
          Kind::flag,
          0,
          1,

@@ -29,16 +29,21 @@ bool in_one_stroke(const Plan& plan, int stroke) {
     return is_region(of) && options_for(of, plan.options).fill.one_stroke;
 }
 
-/// Loops at corners, and where the rake is lost, between two draws of the same stroke.
+/// Loops at corners, and where the rake is lost, between two draws of the same stroke; turns on the spot are
+/// none.
 void say_lifts(Plan& plan) {
+    constexpr double rounding = 1e-5;  // metres, of a turn on the spot
     int lifts = 0, drawn = -1;
-    bool lifted = false;
+    double up = 0;  // metres since the last draw
     Point last, first;
-    for (const Sample& sample : plan.samples) {
-        lifted = lifted || sample.motion == Motion::loop || sample.motion == Motion::lead;
+    for (std::size_t i = 0; i < plan.samples.size(); ++i) {
+        const Sample& sample = plan.samples[i];
+        if (i > 0 && plan.samples[i - 1].motion != Motion::draw)
+            up += distance(plan.samples[i - 1].pose.at, sample.pose.at);
         if (sample.motion != Motion::draw) continue;
-        if (lifted && sample.stroke == drawn && in_one_stroke(plan, drawn) && ++lifts == 1) first = last;
-        lifted = false;
+        if (up > rounding && sample.stroke == drawn && in_one_stroke(plan, drawn) && ++lifts == 1)
+            first = last;
+        up = 0;
         drawn = sample.stroke;
         last = sample.rake;
     }
