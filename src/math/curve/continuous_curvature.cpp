@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <initializer_list>
 
-#include "math/curve/families.hpp"
+#include "math/curve/three_peaks.hpp"
 
 namespace strandline {
 namespace {
@@ -17,20 +18,24 @@ bool arrives(const std::vector<Clothoid>& pieces, Pose to) {
            std::abs(wrap_angle(end.heading - to.heading)) <= end_accuracy;
 }
 
-}  // namespace
+using Search = void (*)(const turns::Task&, std::vector<turns::Found>&);
 
-Curve continuous_curvature(const CurvatureState& from, const CurvatureState& to, const CurveLimits& limits) {
-    const double radius = limits.radius;
+Curve shortest(const CurvatureState& from, const CurvatureState& to, const CurveLimits& limits,
+               std::initializer_list<Search> searches) {
+    const double left = limits.radius, right = limits.right_radius > 0 ? limits.right_radius : left;
+    const double radius = std::min(left, right);
     assert(radius > 0 && limits.sharpness > 0);
-    assert(std::abs(from.curvature) * radius < 1 + 1e-6 && std::abs(to.curvature) * radius < 1 + 1e-6);
+    const auto bounded = [&](double curvature) {
+        assert(curvature * left < 1 + 1e-6 && -curvature * right < 1 + 1e-6);
+        return std::clamp(curvature * radius, -radius / right, radius / left);
+    };
     const Point chord = (1 / radius) * (to.pose.at - from.pose.at);
     const Pose end{turns::rotated(unit(-from.pose.heading), chord),
                    wrap_angle(to.pose.heading - from.pose.heading)};
-    const turns::Task task(end, std::clamp(from.curvature * radius, -1.0, 1.0),
-                           std::clamp(to.curvature * radius, -1.0, 1.0), limits.sharpness * radius * radius);
+    const turns::Task task(end, bounded(from.curvature), bounded(to.curvature),
+                           limits.sharpness * radius * radius, radius / left, radius / right);
     std::vector<turns::Found> found{turns::same_side(task, 1), turns::same_side(task, -1)};
-    turns::add_turn_straight_turn(task, found);
-    turns::add_three_turns(task, found);
+    for (const Search search : searches) search(task, found);
     std::ranges::sort(found, {}, &turns::Found::length);
     std::vector<Clothoid> pieces;
     for (const turns::Found& f : found) {
@@ -40,6 +45,18 @@ Curve continuous_curvature(const CurvatureState& from, const CurvatureState& to,
     for (Clothoid& piece : pieces)
         piece = {piece.length * radius, piece.curvature / radius, piece.sharpness / (radius * radius)};
     return {from.pose, pieces};
+}
+
+}  // namespace
+
+Curve continuous_curvature(const CurvatureState& from, const CurvatureState& to, const CurveLimits& limits) {
+    return shortest(from, to, limits, {turns::add_turn_straight_turn, turns::add_three_peaks});
+}
+
+Curve refined_continuous_curvature(const CurvatureState& from, const CurvatureState& to,
+                                   const CurveLimits& limits) {
+    return shortest(from, to, limits,
+                    {turns::add_turn_straight_turn, turns::add_three_peaks, turns::add_all_three_peaks});
 }
 
 }  // namespace strandline

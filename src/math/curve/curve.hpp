@@ -150,15 +150,21 @@ struct CurvatureState {
     Pose pose;
     double curvature = 0;
 };
-/// What a curve keeps: |curvature| <= 1/radius, |sharpness| <= sharpness.
+/// What a curve keeps: curvature from -1/right_radius to 1/radius, |sharpness| <= sharpness.
 struct CurveLimits {
-    double radius = 0.5;      ///< metres, > 0
+    double radius = 0.5;      ///< metres, > 0: least radius to the left
     double sharpness = 10.0;  ///< 1/m^2, > 0
+    double right_radius = 0;  ///< metres: least radius to the right; 0: as to the left
 };
-/// A short G2 curve within the limits; end curvatures are met exactly (clamped to 1/radius when outside: the
-/// caller's fault, asserted in debug). Never fails. CC turns after Fraichard and Scheuer, IEEE Trans.
+/// A short G2 curve within the limits; end curvatures are met exactly (clamped to the limits when outside:
+/// the caller's fault, asserted in debug). Never fails. CC turns after Fraichard and Scheuer, IEEE Trans.
 /// Robotics 2004, with end curvatures as in Banzhaf et al., ITSC 2017 (HC/CC with given curvature); the
-/// shortest of all families. Position and heading of the end are met to 1e-9.
+/// shortest of those families that is found quickly. Position and heading of the end are met to 1e-9. Some
+/// 10 us.
 Curve continuous_curvature(const CurvatureState& from, const CurvatureState& to, const CurveLimits& limits);
+/// The same, searched for thoroughly where that can pay: direct optimisation finds nothing shorter
+/// (docs/curve.md). Some 300 us.
+Curve refined_continuous_curvature(const CurvatureState& from, const CurvatureState& to,
+                                   const CurveLimits& limits);
 
 }  // namespace strandline

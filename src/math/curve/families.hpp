@@ -1,6 +1,7 @@
 #pragma once
 // Private to this room: the families of continuous-curvature curves from the origin with heading 0 to a pose,
 // radius 1.
+#include <utility>
 #include <vector>
 
 #include "math/curve/turns.hpp"
@@ -12,15 +13,17 @@ constexpr double root_accuracy = 1e-12;
 
 /// What is asked for, in the start's frame and in radii.
 struct Task {
-    Task(Pose to_pose, double k0, double k1, double sharpness)
+    /// `left`, `right`: largest curvatures to either side, the larger of them 1.
+    Task(Pose to_pose, double k0, double k1, double sharpness, double left, double right)
         : to(to_pose.at),
           heading(to_pose.heading),
           ahead(unit(to_pose.heading)),
           begin(k0),
           end(k1),
-          spiral(sharpness),
+          spiral(sharpness, left, right),
           first(spiral, k0),
-          last(spiral, -k1) {}
+          back_spiral(sharpness, right, left),
+          last(back_spiral, -k1) {}
     Task(const Task&) = delete;
 
     /// Where the last turn, by `angle`, begins; it is a first turn seen backwards.
@@ -35,14 +38,17 @@ struct Task {
     Point ahead;
     double begin, end;
     Spiral spiral;
-    Turn first, last;
+    Turn first;
+    Spiral back_spiral;  ///< what is left forwards is right backwards
+    Turn last;
 };
 
-/// One curve that was found. turn_straight_turn: angle, straight, angle. three_turns: three angles, curvature
-/// 0 between. same_side: both turns to `side` up to the limit, staying for `a` and `b`; between them the
-/// curvature dips to `dip`, straight for `middle` when that is 0.
+/// One curve that was found. turn_straight_turn: angle, straight, angle. same_side: both turns to `side` up
+/// to the limit, staying for `a` and `b`; between them the curvature dips to `dip`, straight for `middle`
+/// when that is 0. three_peaks: the numbers of peak, valley, peak (three_peaks.hpp), seen so that `side` is
+/// left.
 struct Found {
-    enum Family { turn_straight_turn, three_turns, same_side } family;
+    enum Family { turn_straight_turn, same_side, three_peaks } family;
     double length;
     double a, middle, b;
     double side = 1, dip = 0;
@@ -52,12 +58,12 @@ struct Found {
 Found same_side(const Task& task, double side);
 /// The shortest with a straight (or none) between two turns that begin and end it.
 void add_turn_straight_turn(const Task& task, std::vector<Found>& found);
-/// Three turns, mostly left-right-left or right-left-right; not tried where what was found is near Dubins'
-/// bound.
-void add_three_turns(const Task& task, std::vector<Found>& found);
 
 /// Pieces in radii, neighbours of one slope joined.
 std::vector<Clothoid> pieces(const Task& task, const Found& found);
+
+/// Curvature and length of the stay of a peak's number.
+std::pair<double, double> peak_and_stay(const Spiral& spiral, double side, double q);
 
 /// The same angle in [low, low + 2 pi).
 double lifted(double angle, double low);

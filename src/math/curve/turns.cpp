@@ -25,15 +25,16 @@ constexpr auto series = coefficients();
 
 }  // namespace
 
-Spiral::Spiral(double limit) : sharpness(limit), full_heading(1 / (2 * limit)) {
+Spiral::Spiral(double slope, double left, double right) : sharpness(slope) {
     // Terms until the next is below rounding for every curvature up to 1.
-    const double q = std::min(full_heading, series_heading) * std::min(full_heading, series_heading);
+    const double highest = std::min(1 / (2 * slope), series_heading), q = highest * highest;
     double power = 1;
     for (terms_ = 1; terms_ < terms && power * series[2 * terms_] * (terms_ % 2 == 0 ? 1 : -1) > 1e-18;
          ++terms_)
         power *= q;
-    full = at(1);
-    full_back = unit(-full_heading);
+    const auto limit = [&](double k) { return Limit{k, at(k), heading(k), unit(-heading(k))}; };
+    left_ = limit(left);
+    right_ = limit(right);
 }
 
 Point Spiral::at(double curvature) const {
@@ -49,9 +50,9 @@ Point Spiral::at(double curvature) const {
     return {s * sum.x, s * h * sum.y};
 }
 
-Pose Spiral::rise(double begin) const {
+Pose Spiral::rise(double begin, double side) const {
     const double h = heading(begin);
-    return {rotated(unit(-h), full - at(begin)), full_heading - h};
+    return {rotated(unit(-h), limit(side).at - at(begin)), limit(side).heading - h};
 }
 
 Turn::Turn(const Spiral& spiral, double begin)
@@ -59,36 +60,42 @@ Turn::Turn(const Spiral& spiral, double begin)
       spiral_(&spiral),
       begin_(begin),
       begin_heading_(spiral.heading(begin)),
-      full_angle_((1 - begin * begin / 2) / spiral.sharpness),
       begin_at_(spiral.at(begin)),
-      back_(unit(-begin_heading_)),
-      enter_(unit(spiral.full_heading - begin_heading_)) {}
+      back_(unit(-begin_heading_)) {
+    const auto side = [&](double sign) {
+        const Spiral::Limit& limit = spiral.limit(sign);
+        return Side{&limit, 2 * limit.heading - begin_heading_, unit(limit.heading - begin_heading_)};
+    };
+    left_ = side(1);
+    right_ = side(-1);
+}
 
 Turn::Shape Turn::shape(double angle) const {
-    const double side = angle >= natural ? 1 : -1, turned = side * angle;
-    if (turned >= full_angle_) return {side, 1, turned - full_angle_};
-    return {side, std::sqrt(std::max(0.0, spiral_->sharpness * turned + begin_ * begin_ / 2)), 0};
+    const double sign = angle >= natural ? 1 : -1, turned = sign * angle;
+    const Side& side = sign > 0 ? left_ : right_;
+    if (turned >= side.full_angle) return {side, sign, side.limit->curvature, turned - side.full_angle};
+    return {side, sign, std::sqrt(std::max(0.0, spiral_->sharpness * turned + begin_ * begin_ / 2)), 0};
 }
 
 Turn::End Turn::end(double angle) const {
-    const auto [side, peak, stay] = shape(angle);
-    const double turned = side * angle;
-    const Point top = peak == 1 ? spiral_->full : spiral_->at(peak);
+    const auto [side, sign, peak, stay] = shape(angle);
+    const double turned = sign * angle, most = side.limit->curvature;
+    const Point top = peak == most ? side.limit->at : spiral_->at(peak);
     const Point ahead = unit(turned);
-    Point at = rotated(back_, top - side * begin_at_) + rotated(ahead, {top.x, -top.y});
+    Point at = rotated(back_, top - sign * begin_at_) + rotated(ahead, {top.x, -top.y});
     if (stay > 0) {
-        const Point leave = rotated(spiral_->full_back, ahead);
-        at = at + Point{leave.y - enter_.y, enter_.x - leave.x};
+        const Point leave = rotated(side.limit->back, ahead);
+        at = at + (1 / most) * Point{leave.y - side.enter.y, side.enter.x - leave.x};
     }
-    return {{at.x, side * at.y}, (2 * peak - side * begin_) / spiral_->sharpness + stay};
+    return {{at.x, sign * at.y}, (2 * peak - sign * begin_) / spiral_->sharpness + stay / most};
 }
 
 void Turn::append(std::vector<Clothoid>& pieces, double angle) const {
-    const auto [side, peak, stay] = shape(angle);
-    const double slope = side * spiral_->sharpness, up = (peak - side * begin_) / spiral_->sharpness;
+    const auto [side, sign, peak, stay] = shape(angle);
+    const double slope = sign * spiral_->sharpness, up = (peak - sign * begin_) / spiral_->sharpness;
     if (up > 0) pieces.push_back({up, begin_, slope});
-    if (stay > 0) pieces.push_back({stay, side, 0});
-    if (peak > 0) pieces.push_back({peak / spiral_->sharpness, side * peak, -slope});
+    if (stay > 0) pieces.push_back({stay / peak, sign * peak, 0});
+    if (peak > 0) pieces.push_back({peak / spiral_->sharpness, sign * peak, -slope});
 }
 
 }  // namespace strandline::turns

@@ -1,33 +1,41 @@
 #pragma once
-// Private to this room: continuous-curvature turns with radius 1 (all lengths here are in radii, sharpness is
-// sigma R^2).
+// Private to this room: continuous-curvature turns (all lengths here are in radii, the smaller of the two
+// where left and right differ; sharpness is sigma R^2).
 //
 // The spiral is the clothoid through the origin with heading 0 and curvature 0 there; at curvature k it has
 // heading k^2 / (2 sigma) and lies at spiral(k). A turn goes from a given curvature up (or down) to a peak,
-// stays there if the peak is the limit 1, and goes down (or up) to curvature 0, always at full sharpness: so
-// its angle says everything. Left and right turns are one family: `natural` is the angle of going straight to
-// curvature 0, more is a left, less a right turn.
+// stays there if the peak is that side's limit (1, or less on the side of the larger radius), and goes down
+// (or up) to curvature 0, always at full sharpness: so its angle says everything. Left and right turns are
+// one family: `natural` is the angle of going straight to curvature 0, more is a left, less a right turn.
 #include <vector>
 
 #include "math/curve/curve.hpp"
 
 namespace strandline::turns {
 
-/// The spiral of one sharpness.
+/// The spiral of one sharpness, and where it reaches the limits of both sides.
 struct Spiral {
-    explicit Spiral(double sharpness);
+    Spiral(double sharpness, double left, double right);
     double sharpness;
-    Point full;           ///< at curvature 1
-    double full_heading;  ///< there
-    Point full_back;      ///< unit vector of -full_heading
+
+    /// The spiral at the largest curvature of a side.
+    struct Limit {
+        double curvature;
+        Point at;
+        double heading;
+        Point back;  ///< unit vector of -heading
+    };
+    const Limit& limit(double side) const { return side > 0 ? left_ : right_; }
 
     Point at(double curvature) const;
     double heading(double curvature) const { return curvature * curvature / (2 * sharpness); }
-    /// From curvature `begin` up to 1, from the origin with heading 0.
-    Pose rise(double begin) const;
+    /// From curvature `begin` up to the limit of `side` (seen so that it is positive), from the origin with
+    /// heading 0.
+    Pose rise(double begin, double side) const;
 
   private:
     std::size_t terms_ = 0;
+    Limit left_, right_;
 };
 
 /// Turns from curvature `begin` to 0, from the origin with heading 0.
@@ -45,14 +53,21 @@ class Turn {
     void append(std::vector<Clothoid>& pieces, double angle) const;
 
   private:
+    struct Side {
+        const Spiral::Limit* limit;
+        double full_angle;  ///< the turn that just reaches the limit
+        Point enter;        ///< unit vector of the heading there
+    };
     struct Shape {
-        double side, peak, stay;
+        const Side& side;
+        double sign, peak, stay;  ///< stay: angle turned at the limit
     };
     Shape shape(double angle) const;
 
     const Spiral* spiral_;
-    double begin_, begin_heading_, full_angle_;
-    Point begin_at_, back_, enter_;  ///< unit vectors of -begin_heading_ and of the heading at curvature 1
+    double begin_, begin_heading_;
+    Point begin_at_, back_;  ///< unit vector of -begin_heading_
+    Side left_, right_;
 };
 
 /// b turned by the angle whose unit vector is a.
