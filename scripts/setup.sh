@@ -35,7 +35,7 @@ install_packages() {
     printf '%s' "$list" >"$stamp"
 }
 
-build_packages=(g++ cmake ninja-build ccache pkg-config libpugixml-dev libpolyclipping-dev libcgal-dev libboost-dev nlohmann-json3-dev
+build_packages=(g++ cmake ninja-build ccache pkg-config libpugixml-dev libpolyclipping-dev libspiro-dev libcgal-dev libboost-dev nlohmann-json3-dev
     libcli11-dev libtomlplusplus-dev libfmt-dev libexpected-dev libcairo2-dev libpng-dev libjpeg-dev libexif-dev libpotrace-dev libpango1.0-dev hershey-fonts-data)
 test_packages=(libgtest-dev librapidcheck-dev clang-format python3 librsvg2-bin fonts-dejavu-core)
 judge_packages=(python3-shapely python3-numpy python3-scipy)

@@ -89,6 +89,8 @@ int fill(const FillArguments& arguments, const Common& common);
 struct ConnectArguments {
     std::string input, output = "-", style = "bounded", radius;
     std::optional<double> sharpness;
+    double extra_length = 0.1;  ///< fair
+    bool quick = false;         ///< bounded, not refined
 };
 int connect(const ConnectArguments& arguments, const Common& common);
 

@@ -1,8 +1,9 @@
 // `strandline connect`: curves between pairs of poses, a line a pair.
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/units/units.hpp"
 #include "commands.hpp"
@@ -12,8 +13,13 @@
 namespace strandline::cli {
 namespace {
 
-const std::map<std::string, connect::Style> styles{{"bounded", connect::Style::bounded},
-                                                   {"straight", connect::Style::straight}};
+Outcome<connect::Style> style_of(const std::string& name) {
+    const auto& names = connect::style_names();
+    const auto it = std::ranges::find(names, name);
+    if (it != names.end()) return static_cast<connect::Style>(it - names.begin());
+    return fail("--style", fmt::format("\"{}\" is not a style", name),
+                fmt::format("choose one of: {}", fmt::join(names, ", ")));
+}
 
 Outcome<stages::PairDefaults> defaults_of(const ConnectArguments& arguments) {
     stages::PairDefaults defaults;
@@ -54,14 +60,10 @@ Outcome<std::vector<stages::Pair>> read_pairs(std::string_view text, const std::
 }  // namespace
 
 int connect(const ConnectArguments& arguments, const Common& common) {
-    const auto style = styles.find(arguments.style);
-    if (style == styles.end()) {
-        std::string names;
-        for (const auto& [name, _] : styles) names += (names.empty() ? "" : ", ") + name;
-        return complain(
-            {"--style", fmt::format("\"{}\" is not a style", arguments.style), "choose one of: " + names},
-            bad_call);
-    }
+    const auto style = style_of(arguments.style);
+    if (!style) return complain(style.error(), bad_call);
+    if (!(arguments.extra_length >= 0 && arguments.extra_length <= 10))
+        return complain({"--extra-length", "is not within 0 to 10", "write a share, such as 0.1"}, bad_call);
     const auto defaults = defaults_of(arguments);
     if (!defaults) return complain(defaults.error(), bad_call);
     const auto text = read_input(arguments.input);
@@ -70,10 +72,21 @@ int connect(const ConnectArguments& arguments, const Common& common) {
     if (!pairs) return complain(pairs.error(), bad_input);
 
     std::string out;
-    int blocked = 0;
-    for (const stages::Pair& pair : *pairs) {
-        const connect::Connection connection =
-            connect::connection(pair.from, pair.to, {.style = style->second, .limits = pair.limits});
+    int blocked = 0, fallbacks = 0;
+    for (std::size_t i = 0; i < pairs->size(); ++i) {
+        const stages::Pair& pair = (*pairs)[i];
+        const auto made = connect::connection(pair.from, pair.through, pair.to,
+                                              {.style = *style,
+                                               .limits = pair.limits,
+                                               .refined = !arguments.quick,
+                                               .extra_length = arguments.extra_length});
+        if (!made) {
+            Error error = made.error();
+            error.place = fmt::format("pair {}, {}", i + 1, error.place);
+            return complain(error, bad_input);
+        }
+        const connect::Connection& connection = *made;
+        if (!connection.broken.empty()) ++fallbacks;
         std::optional<std::string> failure;
         if (stages::hits_obstacles(pair, connection.curve))
             failure = "the curve comes nearer to an obstacle than the clearance; no way round is sought yet";
@@ -84,7 +97,10 @@ int connect(const ConnectArguments& arguments, const Common& common) {
     if (const auto written = write_output(arguments.output, out); !written)
         return complain(written.error(), bad_input);
     if (!common.quiet)
-        fmt::print(stderr, "{} curves{}\n", pairs->size(),
+        fmt::print(stderr, "{} curves{}{}\n", pairs->size(),
+                   fallbacks ? fmt::format(", {} of them bounded because {} breaks a limit there", fallbacks,
+                                           arguments.style)
+                             : "",
                    blocked ? fmt::format(", {} of them come too near an obstacle", blocked) : "");
     return blocked ? falls_short : done;
 }

@@ -191,7 +191,11 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     in_out(connect, c.input, c.output, "pairs of poses (docs/stage-formats.md), or -");
     connect->add_option("--radius", c.radius, "least radius; a pair's own R wins");
     connect->add_option("--sharpness", c.sharpness, "largest change of curvature, 1/m^2; default 2.5 / R^2");
-    connect->add_option("--style", c.style, "bounded or straight")->capture_default_str();
+    connect->add_option("--style", c.style, "bounded, fair, spiro, bezier or straight")
+        ->capture_default_str();
+    connect->add_option("--extra-length", c.extra_length, "fair: share of the length that may be spent")
+        ->capture_default_str();
+    connect->add_flag("--quick", c.quick, "the first good curve instead of the shortest");
     connect->footer("Example:\n  strandline connect pairs.jsonl -o curves.jsonl --radius 0.5m");
     connect->callback([&] { chosen = [&] { return cli::connect(c, common); }; });
 

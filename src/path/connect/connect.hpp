@@ -1,6 +1,6 @@
 #pragma once
-// Robot pose -> robot pose, rake up, with end curvatures: curvature and sharpness bounded, G2. Knows no
-// order.
+// Robot pose -> robot pose, rake up, with end curvatures, in several styles; all keep the limits of curvature
+// and sharpness, or give way to the one that does. Knows no order.
 #include <string>
 #include <vector>
 
@@ -10,25 +10,41 @@
 
 namespace strandline::connect {
 
-enum class Style { bounded, straight };
+/// bounded: the shortest within the limits. fair: longer by a share, for less bending and sharpness. spiro,
+/// bezier: splines, where they keep the limits. straight: turns on the spot at both ends.
+enum class Style { bounded, fair, spiro, bezier, straight };
+/// "bounded", ...: in the order of the enum.
+const std::vector<std::string>& style_names();
 
 struct Options {
     Style style = Style::bounded;
     CurveLimits limits{};
-    /// May turn on the spot at both ends: for `straight` always; for `bounded` it serves where an end asks
+    /// May turn on the spot at both ends: for `straight` always; for the others it serves where an end asks
     /// for a curvature above the limit, and where that is the shorter way.
     bool pivot = false;
-    double turn_cost = 0.5;  ///< metres that a radian on the spot is worth: it takes as long
+    double turn_cost = 0.5;     ///< metres that a radian on the spot is worth: it takes as long
+    bool refined = true;        ///< bounded: search thoroughly (300 us instead of 10)
+    double extra_length = 0.1;  ///< fair: share of the bounded curve's length that may be spent, 0 and above
 };
 /// What is driven: pivot by `turn_before`, along the curve, pivot by `turn_after` (radians; 0 for a bounded
 /// curve).
 struct Connection {
     double turn_before = 0, turn_after = 0;
     Curve curve;
+    /// The style that was asked for breaks a limit here: which one. The curve is bounded.
+    std::string broken = {};
 };
-/// bounded never fails and never breaks the limits (continuous_curvature). A limits.radius of 0 means turns
-/// on the spot. Poses at one point: a turn alone. O(1).
+/// Never fails and never breaks the limits. A limits.radius of 0 means turns on the spot. Poses at one point:
+/// a turn alone where turns are allowed. O(1): docs/connect.md has the times.
 Connection connection(const CurvatureState& from, const CurvatureState& to, const Options& options);
+
+/// The same, led through poses in this order, with the curvature there chosen so that the whole is short.
+/// Error: what makes it impossible, with the pose's number. O(poses).
+Outcome<Connection> connection(const CurvatureState& from, const std::vector<Pose>& through,
+                               const CurvatureState& to, const Options& options);
+
 CurveLimits limits_of(const Robot& robot);
+/// Integral of the curvature's square, 1/m.
+double bending(const Curve& curve);
 
 }  // namespace strandline::connect

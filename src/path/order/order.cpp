@@ -133,6 +133,12 @@ Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& opti
         drive::Drive driven = drive_chain(chains[k], answer.strokes, robot, options.drive);
         if (from) {
             const connect::Connection joint = connect::connection(*from, driven.start, options.connect);
+            if (!joint.broken.empty()) {
+                ++answer.fallbacks;
+                answer.warnings.push_back(
+                    {"connection after stroke " + std::to_string(last_stroke),
+                     "its style breaks a limit there (" + joint.broken + "): a bounded curve is driven"});
+            }
             const bool turns = options.connect.style == connect::Style::straight || robot.min_radius <= 0;
             answer.dubins += !turns ? dubins_length(from->pose, driven.start.pose, robot.min_radius)
                                     : distance(from->pose.at, driven.start.pose.at);

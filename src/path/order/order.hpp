@@ -67,6 +67,7 @@ struct Ordered {
     double dubins = 0;    ///< m, robot pose to robot pose where strokes are not joined directly
     int direct = 0;       ///< gaps joined directly
     int exact = 0, rounded = 0, loops = 0, pivots = 0;
+    int fallbacks = 0;  ///< connections whose style breaks a limit: they are bounded, each with a warning
     std::vector<drive::Span> undrivable;
     tour::Tour tour;
     Warnings warnings;

@@ -87,7 +87,8 @@ struct Options {
         bool operator==(const Corner&) const = default;
     } corner;
     struct Connect {                    // "connect.*"
-        std::string style = "bounded";  // bounded | straight
+        std::string style = "bounded";  // bounded | fair | spiro | bezier | straight
+        double extra_length = 0.1;      // fair: share
         double min_length = 0.02;       // gaps shorter than this are joined directly
         bool operator==(const Connect&) const = default;
     } connect;

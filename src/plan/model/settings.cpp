@@ -490,14 +490,24 @@ std::vector<Setting> make_table() {
          "--stop_go_outer",
          [](Options& o) -> Field { return &o.corner.above; }},
         {"connect.style",
-         "curves between strokes: bounded in curvature and sharpness, or straight with turns on "
+         "curves between strokes, bounded in curvature and sharpness: the shortest (bounded), gentler at "
+         "some "
+         "more length (fair), splines where they keep the limits (spiro, bezier); or straight with turns on "
          "the spot",
          Kind::choice,
          0,
          0,
-         {"bounded", "straight"},
+         {"bounded", "fair", "spiro", "bezier", "straight"},
          "",
          [](Options& o) -> Field { return &o.connect.style; }},
+        {"connect.extra_length",
+         "share of its length by which a fair connection may be longer than the shortest",
+         Kind::number,
+         0,
+         10,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.connect.extra_length; }},
         {"connect.min_length",
          "gaps shorter than this are joined directly",
          Kind::length,

@@ -56,8 +56,12 @@ order::Options order_options(const Options& options, const Robot& robot) {
     o.drive.above = options.corner.above == "pivot"   ? drive::Above::pivot
                     : options.corner.above == "round" ? drive::Above::round
                                                       : drive::Above::loop;
-    const bool straight = options.connect.style == "straight" || robot.min_radius <= 0;
-    o.connect.style = straight ? connect::Style::straight : connect::Style::bounded;
+    const auto& styles = connect::style_names();
+    o.connect.style =
+        robot.min_radius <= 0
+            ? connect::Style::straight
+            : static_cast<connect::Style>(std::ranges::find(styles, options.connect.style) - styles.begin());
+    o.connect.extra_length = options.connect.extra_length;
     o.connect.limits = connect::limits_of(robot);
     o.connect.pivot = robot.can_pivot;
     o.connect.turn_cost = robot.travel_speed / robot.turn_rate;
@@ -262,7 +266,8 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     plan.figures.fill_hops = fills.account.hops;
     plan.figures.fill_drives_over = fills.account.drives_over;
     plan.bare = std::move(fills.bare);
-    plan.figures.fallbacks = strokes.fallbacks + static_cast<int>(unlifted.size() + wrong_hints.size());
+    plan.figures.fallbacks = strokes.fallbacks + static_cast<int>(unlifted.size() + wrong_hints.size()) +
+                             ordered->fallbacks;
     take_account(plan, *ordered);
     add(plan.warnings, document.warnings);
     add(plan.warnings, plan.drawing.warnings);

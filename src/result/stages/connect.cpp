@@ -60,6 +60,19 @@ struct Reader {
         return Pose{{v[0], v[1]}, v[2]};
     }
 
+    Outcome<std::vector<Pose>> through() const {
+        std::vector<Pose> poses;
+        const auto it = object.find("through");
+        if (it == object.end() || it->is_null()) return poses;
+        if (!it->is_array()) return fail(place, "\"through\" is not a list", "write [[x, y, theta], ...]");
+        for (const Json& entry : *it) {
+            const auto pose = Reader{Json{{"through", entry}}, place}.pose("through");
+            if (!pose) return tl::unexpected(pose.error());
+            poses.push_back(*pose);
+        }
+        return poses;
+    }
+
     Outcome<std::vector<Polygon>> obstacles() const {
         std::vector<Polygon> rings;
         const auto it = object.find("obstacles");
@@ -99,20 +112,30 @@ Outcome<Pair> pair_of(const Reader& in, const PairDefaults& defaults) {
             "write a sharpness such as 2.5 / R^2");
     if (distance(start->at, end->at) > farthest * r)
         return fail(in.place, "start and end are more than 100,000 R apart", "check the units");
+    const auto right = in.number("R_right", r);
+    if (!right) return tl::unexpected(right.error());
+    if (!(*right > 0)) return fail(in.place, "\"R_right\" is not above 0", "write a radius in metres");
     const auto k0 = in.number("kappa0", 0), k1 = in.number("kappa1", 0),
                clearance = in.number("clearance", 0);
     for (const auto* k : {&k0, &k1, &clearance})
         if (!*k) return tl::unexpected(k->error());
     for (const auto& [key, k] : {std::pair{"kappa0", *k0}, std::pair{"kappa1", *k1}})
-        if (std::abs(k) * r > 1 + curvature_slack)
-            return fail(in.place, fmt::format("\"{}\" is {}, tighter than 1/R = {}", key, k, 1 / r),
+        if (const double least = k > 0 ? r : *right; std::abs(k) * least > 1 + curvature_slack)
+            return fail(in.place, fmt::format("\"{}\" is {}, tighter than 1/R = {}", key, k, 1 / least),
                         "ask for less curvature or a smaller R");
     if (*clearance < 0) return fail(in.place, "\"clearance\" is below 0", "write metres, 0 or more");
     auto obstacles = in.obstacles();
     if (!obstacles) return tl::unexpected(obstacles.error());
-    const auto clamped = [&](double k) { return std::clamp(k, -1 / r, 1 / r); };
-    return Pair{{*start, clamped(*k0)}, {*end, clamped(*k1)}, {r, *sharpness},
-                std::move(*obstacles),  *clearance,           {}};
+    auto through = in.through();
+    if (!through) return tl::unexpected(through.error());
+    const auto clamped = [&](double k) { return std::clamp(k, -1 / *right, 1 / r); };
+    return Pair{{*start, clamped(*k0)},
+                {*end, clamped(*k1)},
+                std::move(*through),
+                {r, *sharpness, *right == r ? 0 : *right},
+                std::move(*obstacles),
+                *clearance,
+                {}};
 }
 
 /// 0.01 R; finer where the curvature is sharp and bends within three steps of an end or many times in a short
@@ -146,9 +169,10 @@ Outcome<Pair> read_pair(std::string_view line, int number, const PairDefaults& d
 std::string write_curve(const Pair& pair, const connect::Connection& connection,
                         const std::optional<std::string>& failure) {
     Json object = Json::parse(pair.source, nullptr, false);
-    for (const char* ours : {"samples", "ok", "reason"}) object.erase(ours);
+    for (const char* ours : {"samples", "ok", "reason", "fallback"}) object.erase(ours);
     object["R"] = pair.limits.radius;
     object["sigma"] = pair.limits.sharpness;
+    if (!connection.broken.empty()) object["fallback"] = connection.broken;
     if (failure) {
         object["ok"] = false;
         object["reason"] = *failure;
@@ -157,7 +181,6 @@ std::string write_curve(const Pair& pair, const connect::Connection& connection,
     text.pop_back();
     text += ",\"samples\":[";
     std::vector<CurvePoint> points =
-
         sampled(connection.curve, step_for(connection.curve, pair.limits), fewest_samples);
     while (points.size() < fewest_samples) points.push_back(points.back());  // a turn on the spot alone
     text.reserve(text.size() + 32 * points.size());

@@ -44,6 +44,7 @@ struct PairDefaults {
 };
 struct Pair {
     CurvatureState from, to;
+    std::vector<Pose> through;
     CurveLimits limits;
     std::vector<Polygon> obstacles;
     double clearance = 0;
@@ -51,7 +52,8 @@ struct Pair {
 };
 /// Error.place holds the line number.
 Outcome<Pair> read_pair(std::string_view line, int number, const PairDefaults& defaults);
-/// Equal steps of at most 0.01 R, at least 9 samples, 9 decimals. `failure`: reason, when the obstacles could
+/// Equal steps of at most 0.01 R, at least 9 samples, 9 decimals. "fallback": the limit that the style breaks,
+/// where the curve is bounded instead. `failure`: reason, when the obstacles could
 /// not be kept clear of.
 std::string write_curve(const Pair& pair, const connect::Connection& connection,
                         const std::optional<std::string>& failure);
