@@ -9,13 +9,14 @@ fill-pictures, which writes docs/fill. Needs python3; the judges need numpy and 
 import argparse, json, math, random, statistics, subprocess, tempfile, time
 from pathlib import Path
 
+import connect as connections
 import fill as fill_table
 import vehicles
 from harness import peak_mb, percent, run, table
 
 ROOT = Path(__file__).resolve().parent.parent
 AGREEMENT = None  # the program of bench/agreement
-EVERYTHING = False  # --all: fills of all fresh shapes, and 1,000 random regions
+EVERYTHING = False  # --all: 100,000 pairs, fills of all fresh shapes, and 1,000 random regions
 
 
 # ---- drawings ------------------------------------------------------------------------------------------------
@@ -180,37 +181,10 @@ def tour(program, shared, folder):
     table("Tour: fresh cases", head, rows)
 
 
-# ---- connect -------------------------------------------------------------------------------------------------
+# ---- connect: bench/connect.py -------------------------------------------------------------------------------------------------
 
-def pairs(n, seed, sigma, curved):
-    r = random.Random(seed)
-    for i in range(n):
-        d, a = 0.1 * 200 ** r.random(), r.random() * 2 * math.pi
-        pair = {"start": [0, 0, r.random() * 2 * math.pi], "end": [d * math.cos(a), d * math.sin(a), r.random() * 2 * math.pi], "R": 1, "sigma": sigma, "id": i}
-        if curved: pair["kappa0"], pair["kappa1"] = r.uniform(-1, 1), r.uniform(-1, 1)
-        yield pair
-
-
-def connect(program, shared, folder, n=10000):
-    judge = shared / "judge/curves/checkcurves.cpp"
-    binary = folder / "checkcurves"
-    if not judge.is_file():
-        return print("\nConnect: the judge is not at hand; left out (tests/connect holds the laws).")
-    subprocess.run(["g++", "-O2", "-std=c++17", str(judge), "-o", str(binary)], check=True)
-    rows = []
-    for seed, name in ((20140704, "rule of the judge"), (7, "fresh")):
-        for sigma in (2.5, 10):
-            for curved in (False, True):
-                source, out = folder / "pairs.jsonl", folder / "curves.jsonl"
-                source.write_text("".join(json.dumps(p) + "\n" for p in pairs(n, seed, sigma, curved)))
-                code, _, err, cpu, _ = run([program, "connect", source, "-o", out, "-q"])
-                assert code == 0, err
-                judged = subprocess.run([str(binary), str(out)], capture_output=True, text=True)
-                lines = [json.loads(l) for l in judged.stdout.splitlines()]
-                ratios = [l["ratio"] for l in lines if "ratio" in l]
-                rows.append([name, sigma, "random" if curved else "0", sum(bool(l.get("violations")) for l in lines), f"{percent(ratios, .5):.3f}",
-                             f"{percent(ratios, .95):.3f}", f"{statistics.mean(ratios):.3f}", f"{cpu / n * 1e6:.0f}"])
-    table(f"Connect: {n} pairs, R = 1 (time holds reading and writing the samples)", ["pairs", "sigma R^2", "end curvatures", "violations", "length / Dubins p50", "p95", "mean", "us a pair"], rows)
+def connect(program, shared, folder):
+    connections.report(program, shared, folder, 100_000 if EVERYTHING else 10_000)
 
 
 # ---- fill: bench/fill.py, bench/vehicles.py ------------------------------------------------------------------
@@ -262,7 +236,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--shared", default=ROOT.parent / "shared", type=Path)
     parser.add_argument("--only", default="drawings,clipart,svg,tour,connect,fill,fill-vehicles,convert")
-    parser.add_argument("--all", action="store_true", help="fill: more fresh shapes, every shape turned and scaled, 1,000 random regions")
+    parser.add_argument("--all", action="store_true", help="connect: 100,000 pairs by the judge's rule; fill: more fresh shapes, every shape turned and scaled, 1,000 random regions")
     parser.add_argument("--agreement", help="the program that draws beside librsvg")
     arguments = parser.parse_args()
     global AGREEMENT, EVERYTHING

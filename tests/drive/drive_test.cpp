@@ -51,10 +51,11 @@ TEST(Drive, ALoopOutsideLeavesTheCornerSharpAndDrawsBothEdgesWhole) {
 
 TEST(Drive, ALoopWithItsLeadIsNoLongerThanTheBoundForCornerPoses) {
     // FINDINGS: corner pose back to corner pose costs at most 7.7 R
-    for (double turn = pi / 2; turn < pi; turn += 0.1)
+    const drive::Options always{.corner_threshold = 0};
+    for (double turn = pi / 36; turn < pi; turn += pi / 36)
         for (const double side : {1.0, -1.0}) {
             const Stroke corner = polyline({{0, 0}, {3, 0}, Point{3, 0} + 3 * unit(side * turn)});
-            const drive::Drive result = drive::drive(corner, 0, 0, false, beachbot(), {});
+            const drive::Drive result = drive::drive(corner, 0, 0, false, beachbot(), always);
             double rake_up = 0;
             for (const Leg& leg : result.legs)
                 if (leg.motion != Motion::draw) rake_up += length(leg.path);
@@ -62,6 +63,26 @@ TEST(Drive, ALoopWithItsLeadIsNoLongerThanTheBoundForCornerPoses) {
             EXPECT_LT(rake_up, 7.7 * beachbot().min_radius) << turn;
             EXPECT_NEAR(expect_drivable(result, beachbot()), 6, 1e-4);
         }
+}
+
+TEST(Drive, ARobotWithAWiderTurnToOneSideLoopsAndLeadsWithinIt) {
+    Robot robot = beachbot();
+    robot.right_radius = 0.9;
+    for (const double side : {1.0, -1.0}) {
+        const Stroke corner = polyline({{0, 0}, {3, 0}, Point{3, 0} + 3 * unit(side * 2)});
+        const drive::Drive result = drive::drive(corner, 0, 0, false, robot, {});
+        EXPECT_EQ(result.loops, 1);
+        for (const Leg& leg : result.legs)
+            for (const Clothoid& piece : leg.curve.pieces)
+                for (const double k : {piece.curvature, piece.end_curvature()}) {
+                    EXPECT_LE(k, 2 + 1e-9);
+                    EXPECT_GE(k, -1 / 0.9 - 1e-9);
+                }
+        const Stroke bend = along({{{1, 2}, 0.7}, {{0.8, side * 4, 0}}});
+        const drive::Drive tight = drive::drive(bend, 0, 0, false, robot, {});
+        EXPECT_NEAR(tight.start.curvature, side > 0 ? 2 : -1 / 0.9, 1e-3);
+        EXPECT_NEAR(tight.end.curvature, side > 0 ? 2 : -1 / 0.9, 1e-3);
+    }
 }
 
 TEST(Drive, ATightStartIsLedInToRakeUp) {

@@ -162,8 +162,8 @@ Followed path_itself(const std::vector<RakeNode>& nodes) {
 
 }  // namespace
 
-double connectable_delta(const Robot& robot) {
-    return robot.min_radius > 0 ? std::atan(robot.rake_offset / robot.min_radius) : pi / 2;
+double connectable_delta(const Robot& robot, double side) {
+    return robot.min_radius > 0 ? std::atan(robot.rake_offset / least_radius(robot, side)) : pi / 2;
 }
 
 double steady_delta(const Robot& robot, double rake_curvature, double most) {
@@ -177,8 +177,9 @@ Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot,
     if (nodes.empty()) return {};
     if (offset == 0) return path_itself(nodes);
 
+    const double end_curvature = nodes.back().curvature;
     const double end = options.steady_end
-                           ? steady_delta(robot, nodes.back().curvature, connectable_delta(robot))
+                           ? steady_delta(robot, end_curvature, connectable_delta(robot, end_curvature))
                            : options.end_delta;
     Pass pass{nodes, robot, options, std::clamp(end, -options.max_delta, options.max_delta)};
     if (std::abs(end) > options.max_delta) pass.result.undrivable.push_back({nodes.back().s, nodes.back().s});

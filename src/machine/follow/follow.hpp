@@ -61,9 +61,9 @@ Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot,
 /// sin(delta) = curvature x rake_offset, where delta comes to rest on an endless arc; limited to |delta| <=
 /// most (radians).
 double steady_delta(const Robot& robot, double rake_curvature, double most);
-/// The largest |delta| at which the robot's own curvature is within 1/min_radius: atan(rake_offset /
-/// min_radius).
-double connectable_delta(const Robot& robot);
+/// The largest |delta| of that sign at which the robot's own curvature is within its limit to that side:
+/// atan(rake_offset / least radius).
+double connectable_delta(const Robot& robot, double side);
 
 /// What the robot is told at one instant.
 enum class Motion { draw, lead, loop, connect, pivot };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/units/units.hpp"
 
@@ -43,6 +44,12 @@ const std::vector<Field>& fields() {
         {{"min_radius", "m",
           "least radius of the turning point's path, rake up; 0: it turns on the spot freely", 0, 100},
          &Robot::min_radius},
+        {{"left_radius", "m",
+          "least radius of turns to the left, where larger than min_radius; 0: min_radius", 0, 100},
+         &Robot::left_radius},
+        {{"right_radius", "m",
+          "least radius of turns to the right, where larger than min_radius; 0: min_radius", 0, 100},
+         &Robot::right_radius},
         {{"sharpness", "1/m^2", "largest change of curvature per metre, rake up", 1e-4, 1e9},
          &Robot::sharpness},
         {{"can_pivot", flag_unit, "may turn on the spot", 0, 1}, &Robot::can_pivot},
@@ -141,6 +148,11 @@ Outcome<Robot> valid(Robot robot, const std::string& place) {
     if (robot.min_radius == 0 && !robot.can_pivot)
         return fail(prefix + "min_radius", "is 0, but can_pivot is false",
                     "set can_pivot = true, or a min_radius above 0");
+    for (const auto& [field, radius] :
+         {std::pair{"left_radius", robot.left_radius}, std::pair{"right_radius", robot.right_radius}})
+        if (radius != 0 && !(radius >= robot.min_radius && robot.min_radius > 0))
+            return fail(prefix + field, fmt::format("{} is below min_radius, or that is 0", radius),
+                        "min_radius is the smaller of the two sides' least radii, above 0");
     for (std::size_t i = 0; i < robot.wheels.size(); ++i) {
         const Wheel& wheel = robot.wheels[i];
         const std::string where = fmt::format("{}wheels[{}]", prefix, i);

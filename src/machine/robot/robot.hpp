@@ -28,18 +28,19 @@ struct Wheel {
 /// A drawing machine. Invariant (kept by read_robot and valid()): every field in the range its docs state.
 struct Robot {
     std::string name = "beachbot";
-    double rake_offset = 0.2;        ///< L: the rake's centre trails P by this; 0: plotter
-    int pins = 7;                    ///< liftable pins, equally spaced across the travel
-    double pin_pitch = 0.06;         ///< metres between pins; a pin's groove is as wide as the pitch
-    double min_radius = 0.5;         ///< R of P when driving rake up; 0: turns on the spot are free (plotter)
-    double sharpness = 10;           ///< sigma: largest |d curvature / d s| rake up, 1/m^2
-    bool can_pivot = false;          ///< may turn on the spot
-    double speed = 0.2;              ///< rake down, m/s
-    double travel_speed = 0.2;       ///< rake up, m/s
-    double acceleration = 0.1;       ///< m/s^2
-    double turn_rate = 0.4;          ///< rad/s
-    double turn_acceleration = 0.4;  ///< rad/s^2
-    double lift_delay = 0.0;         ///< s from command to pins up or down
+    double rake_offset = 0.2;  ///< L: the rake's centre trails P by this; 0: plotter
+    int pins = 7;              ///< liftable pins, equally spaced across the travel
+    double pin_pitch = 0.06;   ///< metres between pins; a pin's groove is as wide as the pitch
+    double min_radius = 0.5;   ///< R of P when driving rake up; 0: turns on the spot are free (plotter)
+    double left_radius = 0, right_radius = 0;  ///< the same of turns to one side, where larger; 0: min_radius
+    double sharpness = 10;                     ///< sigma: largest |d curvature / d s| rake up, 1/m^2
+    bool can_pivot = false;                    ///< may turn on the spot
+    double speed = 0.2;                        ///< rake down, m/s
+    double travel_speed = 0.2;                 ///< rake up, m/s
+    double acceleration = 0.1;                 ///< m/s^2
+    double turn_rate = 0.4;                    ///< rad/s
+    double turn_acceleration = 0.4;            ///< rad/s^2
+    double lift_delay = 0.0;                   ///< s from command to pins up or down
     double front = 0.5, back = 0.35, half_width = 0.35;  ///< footprint around P
     std::vector<Wheel> wheels = {};
     /// ascending up_to; beachbot: 0->0, 1->1, 3->3, 5->5, 8->7 pins (2014)
@@ -58,6 +59,11 @@ unsigned pin_mask(const Robot& robot, int count);
 int pins_down(unsigned mask);
 /// Pins for a stroke of that width (user units, as in RakeRule).
 int pins_for_width(const Robot& robot, double stroke_width);
+/// Of turns to the left (side > 0) or right.
+inline double least_radius(const Robot& robot, double side) {
+    const double own = side > 0 ? robot.left_radius : robot.right_radius;
+    return own > 0 ? own : robot.min_radius;
+}
 /// Corners of the footprint, counter-clockwise, in the body frame.
 Polygon footprint(const Robot& robot);
 

@@ -86,6 +86,8 @@ Connection connection(const CurvatureState& from, const CurvatureState& to, cons
     return length(turning.curve) + options.turn_cost * turns < length(curve.curve) ? turning : curve;
 }
 
-CurveLimits limits_of(const Robot& robot) { return {robot.min_radius, robot.sharpness}; }
+CurveLimits limits_of(const Robot& robot) {
+    return {least_radius(robot, 1), robot.sharpness, least_radius(robot, -1)};
+}
 
 }  // namespace strandline::connect

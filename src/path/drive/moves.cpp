@@ -19,10 +19,11 @@ constexpr double least_cut = 1e-4;
 constexpr double ends_tried[] = {0, -1, -0.5, 0.5, 1};
 constexpr double leads_tried[] = {0, 0.1, 0.25, 0.5, 1};
 
-double connectable(const Robot& robot) { return connectable_delta(robot) * inside_limit; }
+/// Of delta of that sign.
+double connectable(const Robot& robot, double side) { return connectable_delta(robot, side) * inside_limit; }
 /// Whether a connection can take up that curvature.
 bool within(const Robot& robot, double curvature) {
-    return robot.min_radius == 0 || std::abs(curvature) * robot.min_radius <= 1;
+    return robot.min_radius == 0 || std::abs(curvature) * least_radius(robot, curvature) <= 1;
 }
 Leg lead(RobotPath path) { return {.motion = Motion::lead, .path = std::move(path)}; }
 
@@ -31,8 +32,8 @@ Leg lead(RobotPath path) { return {.motion = Motion::lead, .path = std::move(pat
 bool turns_on_spot(const Robot& robot) { return robot.can_pivot || robot.min_radius == 0; }
 
 double leaving_delta(const Robot& robot, const Curve& edge) {
-    return steady_delta(robot, edge.pieces.empty() ? 0 : edge.pieces.back().end_curvature(),
-                        connectable(robot));
+    const double curvature = edge.pieces.empty() ? 0 : edge.pieces.back().end_curvature();
+    return steady_delta(robot, curvature, connectable(robot, curvature));
 }
 
 std::optional<Rounding> rounded(const Curve& before, const Curve& after, double turn, double radius,
@@ -53,7 +54,7 @@ std::optional<Leg> lead_in(const Robot& robot, const RobotState& first, double s
         // on a straight line d delta / ds = sin(delta)/L: tan(delta/2) grows as e^(s/L)
         delta = std::atan(first.curvature * robot.rake_offset);
         constexpr double margin = 1 - 1e-4;  // against the error of the numerical pass
-        const double allowed = std::tan(connectable_delta(robot) * margin / 2);
+        const double allowed = std::tan(connectable_delta(robot, delta) * margin / 2);
         back = robot.rake_offset * std::log(std::max(1.0, std::tan(std::abs(delta) / 2) / allowed));
     }
     back += extra;
@@ -83,19 +84,19 @@ Leaving leaving(const Robot& robot, const Curve& edge, double delta, double step
 Loop loop_round(const Robot& robot, const Curve& before, const RobotState& first, double step) {
     std::vector<Leaving> ways_out;
     for (const double share : ends_tried) {
-        const double delta = share == 0 ? leaving_delta(robot, before) : share * connectable(robot);
+        const double delta = share == 0 ? leaving_delta(robot, before) : share * connectable(robot, share);
         ways_out.push_back(leaving(robot, before, delta, step));
         if (robot.rake_offset == 0) break;  // the end is what the edge makes it
     }
+    const CurveLimits limits{least_radius(robot, 1), robot.sharpness, least_radius(robot, -1)};
     std::optional<Loop> best;
     double shortest = 0;
     for (const double share : leads_tried) {
         auto lead = lead_in(robot, first, step, share * robot.min_radius);
         const RobotState to = lead ? lead->path.front() : first;
         for (const Leaving& from : ways_out) {
-            Curve curve =
-                continuous_curvature({from.state.pose, from.state.curvature}, {to.pose, to.curvature},
-                                     {.radius = robot.min_radius, .sharpness = robot.sharpness});
+            Curve curve = continuous_curvature({from.state.pose, from.state.curvature},
+                                               {to.pose, to.curvature}, limits);
             const double whole = length(curve) + (lead ? length(lead->path) : 0);
             // a gain of less than rounding changes nothing, so that turned drawings are driven alike
             if (best && whole > shortest * (1 - 1e-6)) continue;
@@ -103,6 +104,9 @@ Loop loop_round(const Robot& robot, const Curve& before, const RobotState& first
             best = Loop{from, {.motion = Motion::loop, .curve = std::move(curve)}, lead};
         }
     }
+    const RobotState to = best->lead ? best->lead->path.front() : first;
+    best->curve.curve = refined_continuous_curvature({best->from.state.pose, best->from.state.curvature},
+                                                     {to.pose, to.curvature}, limits);
     best->curve.path = states_along(best->curve.curve, step);
     return std::move(*best);
 }

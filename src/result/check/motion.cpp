@@ -52,8 +52,7 @@ class Judge {
           report_(report),
           field_(grown(field_of(plan), rounding)),
           body_(footprint(plan.robot)),
-          turns_freely_(plan.robot.min_radius <= 0),
-          bound_(turns_freely_ ? 0 : 1 / plan.robot.min_radius) {}
+          turns_freely_(plan.robot.min_radius <= 0) {}
 
     void judge() {
         const std::size_t n = plan_.samples.size();
@@ -67,6 +66,8 @@ class Judge {
     }
 
   private:
+    /// Largest curvature to the side of this one, rake up.
+    double bound_of(double curvature) const { return 1 / least_radius(robot_, curvature); }
     static bool bounded(Motion motion) { return motion == Motion::connect || motion == Motion::loop; }
 
     void fault(Law law, double excess, const Sample& s, std::string what) {
@@ -102,10 +103,11 @@ class Judge {
             // Where the robot stands its curvature may still be that of the piece before.
             const bool others = s.speed == 0 && before != nullptr && !bounded(before->motion);
             if (!others) report_.max_curvature_up = std::max(report_.max_curvature_up, std::abs(s.curvature));
-            if (!others && !turns_freely_ && std::abs(s.curvature) > bound_ * (1 + share) + curvature_noise)
+            const double bound = turns_freely_ ? 0 : bound_of(s.curvature);
+            if (!others && !turns_freely_ && std::abs(s.curvature) > bound * (1 + share) + curvature_noise)
                 fault(Law::curvature, std::abs(s.curvature), s,
                       fmt::format("curvature {:.3f} 1/m rake up, allowed {:.3f} 1/m", std::abs(s.curvature),
-                                  bound_));
+                                  bound));
         }
         pins(s, last);
     }
@@ -245,7 +247,7 @@ class Judge {
                   fmt::format("the heading changes by {:.4f} rad, its curvature explains {:.4f} rad, allowed "
                               "apart {:.4f} rad",
                               turn, explained, allowed));
-        if (up) rake_up(a, b, ds, std::abs(turn), std::abs(dk), spin);
+        if (up) rake_up(a, b, ds, turn, std::abs(dk), spin);
     }
     /// How much the curvature can have changed by the pivot at the end of an interval.
     double bound_slope(const Sample& a, double ds) const {
@@ -254,10 +256,11 @@ class Judge {
 
     void rake_up(const Sample& a, const Sample& b, double ds, double turn, double dk, double spin) {
         if (turns_freely_) return;
-        if (turn > ds * bound_ * (1 + share) + heading_up + spin)
-            fault(Law::curvature, turn / ds, a,
-                  fmt::format("turns {:.3f} rad in {:.4f} m rake up: {:.3f} 1/m, allowed {:.3f} 1/m", turn,
-                              ds, turn / ds, bound_));
+        const double bound = bound_of(turn), turned = std::abs(turn);
+        if (turned > ds * bound * (1 + share) + heading_up + spin)
+            fault(Law::curvature, turned / ds, a,
+                  fmt::format("turns {:.3f} rad in {:.4f} m rake up: {:.3f} 1/m, allowed {:.3f} 1/m", turned,
+                              ds, turned / ds, bound));
         // At a stand the curvature may be that of the other side.
         const bool ends = b.motion == Motion::pivot || (b.speed == 0 && b.motion != a.motion);
         if (ends) return;
@@ -306,7 +309,12 @@ class Judge {
                                      what, found, unit, c.from, c.to, allowed, unit),
                          c.curve.start.at, -1, c.to, -1});
         };
-        name(Law::curvature, max_curvature(c.curve), bound_, "curvature", "1/m");
+        for (const double side : {1.0, -1.0}) {
+            double tightest = 0;
+            for (const Clothoid& piece : c.curve.pieces)
+                tightest = std::max({tightest, side * piece.curvature, side * piece.end_curvature()});
+            name(Law::curvature, tightest, bound_of(side), "curvature", "1/m");
+        }
         name(Law::sharpness, max_sharpness(c.curve), robot_.sharpness, "sharpness", "1/m^2");
     }
 
@@ -317,7 +325,6 @@ class Judge {
     Box field_;
     Polygon body_;
     bool turns_freely_;
-    double bound_;
     int at_ = 0;
 };
 

@@ -28,6 +28,8 @@ void fields(Either<Robot> auto& robot, Visit&& field) {
     field("pins", robot.pins);
     field("pin_pitch", robot.pin_pitch);
     field("min_radius", robot.min_radius);
+    field("left_radius", robot.left_radius);
+    field("right_radius", robot.right_radius);
     field("sharpness", robot.sharpness);
     field("can_pivot", robot.can_pivot);
     field("speed", robot.speed);
