@@ -1,13 +1,17 @@
 // Speed, a room at a time, on seeded inputs of our own.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "input/drawing/drawing.hpp"
 #include "input/svg/svg.hpp"
 #include "machine/follow/follow.hpp"
+#include "path/connect/connect.hpp"
 #include "path/fill/fill.hpp"
 #include "path/tour/tour.hpp"
 #include "plan/pipeline/pipeline.hpp"
@@ -25,6 +29,31 @@ std::string drawing_text(const char* name) {
     std::ifstream file(std::string(STRANDLINE_SOURCE "/drawings/") + name);
     return {std::istreambuf_iterator<char>(file), {}};
 }
+
+/// d = 0.1 to 20 R, all headings, random end curvatures. Argument: 0 quick, 1 refined, 2 fair, 3 spiro.
+void connection(benchmark::State& state) {
+    std::mt19937_64 random(20140704);
+    std::vector<std::pair<CurvatureState, CurvatureState>> pairs;
+    for (int i = 0; i < 1000; ++i) {
+        const double d = 0.1 * std::pow(200, uniform(random, 0, 1));
+        const auto any = [&](Point at) {
+            const double heading = uniform(random, -pi, pi);
+            return CurvatureState{{at, heading}, uniform(random, -1, 1)};
+        };
+        const CurvatureState from = any({0, 0}), to = any(d * unit(uniform(random, -pi, pi)));
+        pairs.emplace_back(from, to);
+    }
+    using connect::Style;
+    const Style styles[] = {Style::bounded, Style::bounded, Style::fair, Style::spiro};
+    const connect::Options options{
+        .style = styles[state.range(0)], .limits = {1, 2.5}, .refined = state.range(0) > 0};
+    std::size_t i = 0;
+    for (auto _ : state) {
+        const auto& [from, to] = pairs[i++ % pairs.size()];
+        benchmark::DoNotOptimize(connect::connection(from, to, options));
+    }
+}
+BENCHMARK(connection)->DenseRange(0, 3);
 
 void svg_read(benchmark::State& state) {
     const std::string text = drawing_text("mandala.svg");

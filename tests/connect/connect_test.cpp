@@ -83,6 +83,9 @@ TEST(Connect, ItTurnsOnTheSpotWhereThatIsShorterThanTheCurve) {
     EXPECT_NEAR(turning.turn_before, pi / 2, 1e-12);
     EXPECT_NEAR(turning.turn_after, -pi / 2, 1e-12);
     EXPECT_NEAR(length(turning.curve), 1, 1e-12);
+    Options slow_to_start = options;
+    slow_to_start.turn_start = 1;
+    EXPECT_EQ(connection(from, beside, slow_to_start).turn_before, 0) << "two turns cost 2 m more";
     Options dear = options;
     dear.turn_cost = 3;
     EXPECT_EQ(connection(from, beside, dear).turn_before, 0);

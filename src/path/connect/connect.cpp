@@ -82,8 +82,11 @@ Connection connection(const CurvatureState& from, const CurvatureState& to, cons
     Connection curve = curved(from, to, options);
     if (!options.pivot) return curve;
     Connection turning = straight_with_turns(from.pose, to.pose);
-    const double turns = std::abs(turning.turn_before) + std::abs(turning.turn_after);
-    return length(turning.curve) + options.turn_cost * turns < length(curve.curve) ? turning : curve;
+    const auto cost = [&](double turn) {
+        return turn == 0 ? 0 : options.turn_start + options.turn_cost * std::abs(turn);
+    };
+    const double turns = cost(turning.turn_before) + cost(turning.turn_after);
+    return length(turning.curve) + turns < length(curve.curve) ? turning : curve;
 }
 
 CurveLimits limits_of(const Robot& robot) {

@@ -23,6 +23,7 @@ struct Options {
     /// for a curvature above the limit, and where that is the shorter way.
     bool pivot = false;
     double turn_cost = 0.5;     ///< metres that a radian on the spot is worth: it takes as long
+    double turn_start = 0;      ///< metres that each turn on the spot costs besides: stopping, spinning up
     bool refined = true;        ///< bounded: search thoroughly (300 us instead of 10)
     double extra_length = 0.1;  ///< fair: share of the bounded curve's length that may be spent, 0 and above
 };

@@ -64,7 +64,10 @@ order::Options order_options(const Options& options, const Robot& robot) {
     o.connect.extra_length = options.connect.extra_length;
     o.connect.limits = connect::limits_of(robot);
     o.connect.pivot = robot.can_pivot;
-    o.connect.turn_cost = robot.travel_speed / robot.turn_rate;
+    // A turn by a takes a / w + w / alpha, and the robot stops for it: v / acceleration more than driving on.
+    const double v = robot.travel_speed;
+    o.connect.turn_cost = v / robot.turn_rate;
+    o.connect.turn_start = v * (robot.turn_rate / robot.turn_acceleration + v / robot.acceleration);
     o.min_gap = options.connect.min_length;
     return o;
 }
