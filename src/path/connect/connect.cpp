@@ -41,8 +41,7 @@ Connection curved(const CurvatureState& from, const CurvatureState& to, const Op
         return {0, 0, fair(from, to, options.limits, bounded(from, to, options), options.extra_length)};
     if (options.style != Style::spiro && options.style != Style::bezier)
         return {0, 0, bounded(from, to, options)};
-    auto spline =
-        options.style == Style::spiro ? spiro(from.pose, to.pose, options.limits.radius) : bezier(from, to);
+    auto spline = options.style == Style::spiro ? spiro(from, to, options.limits) : bezier(from, to);
     std::string broken = spline ? broken_limit(*spline, from, to, options.limits) : "no such curve";
     if (broken.empty()) return {0, 0, std::move(*spline)};
     return {0, 0, bounded(from, to, options), std::move(broken)};

@@ -71,9 +71,7 @@ struct Spiral {
     }
 };
 
-}  // namespace
-
-std::optional<Curve> spiro(Pose from, Pose to, double radius) {
+std::optional<Curve> spline(Pose from, Pose to, double radius) {
     std::vector<spiro_cp> points = control_points(from, to, radius);
     const int n = static_cast<int>(points.size());
     const std::unique_ptr<spiro_seg, void (*)(spiro_seg*)> solved(run_spiro(points.data(), n), free_spiro);
@@ -100,6 +98,26 @@ std::optional<Curve> spiro(Pose from, Pose to, double radius) {
             at = next;
         }
     }
+    return curve;
+}
+
+}  // namespace
+
+std::optional<Curve> spiro(const CurvatureState& from, const CurvatureState& to, const CurveLimits& limits) {
+    // The spline begins and ends with curvature 0: an end that asks for more is unwound at full sharpness.
+    const auto unwound = [&](double k) {
+        return Clothoid{std::abs(k) / limits.sharpness, k, std::copysign(limits.sharpness, -k)};
+    };
+    const Clothoid lead = unwound(from.curvature), tail_back = unwound(-to.curvature);
+    const Pose start = advanced(from.pose, lead, lead.length);
+    const Pose turned = advanced({to.pose.at, to.pose.heading + pi}, tail_back, tail_back.length);
+    auto middle = spline(start, {turned.at, turned.heading - pi}, limits.radius);
+    if (!middle) return std::nullopt;
+    Curve curve{from.pose, {}};
+    if (lead.length > 0) curve.pieces.push_back(lead);
+    curve = joined(std::move(curve), *middle);
+    if (tail_back.length > 0)
+        curve.pieces.push_back({tail_back.length, 0, std::copysign(limits.sharpness, to.curvature)});
     return curve;
 }
 

@@ -12,7 +12,7 @@ Curve fair(const CurvatureState& from, const CurvatureState& to, const CurveLimi
            double extra);
 
 /// Splines as they are, whatever limits they break; nullopt where there is none.
-std::optional<Curve> spiro(Pose from, Pose to, double radius);
+std::optional<Curve> spiro(const CurvatureState& from, const CurvatureState& to, const CurveLimits& limits);
 std::optional<Curve> bezier(const CurvatureState& from, const CurvatureState& to);
 
 /// Which limit the curve breaks first, in words; empty: none.
