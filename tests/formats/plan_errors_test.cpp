@@ -56,6 +56,19 @@ TEST(PlanErrors, AMissingAnUnknownAndAMistypedFieldAreNamedByPointer) {
     EXPECT_SAYS(refused("\"link\"", "\"knot\""), "/edits/0/edit: \"knot\" is no edit");
 }
 
+TEST(PlanErrors, FilesWithoutTheKeysThatCameLaterAreReadWithTheirDefaults) {
+    std::string text = good();
+    for (const std::string key :
+         {"\"left_radius\":0,", "\"right_radius\":0,", "\"connect.extra_length\":\"0.1\","}) {
+        ASSERT_NE(text.find(key), std::string::npos) << key;
+        text.erase(text.find(key), key.size());
+    }
+    const auto plan = formats::read_plan(text, "plan.json");
+    ASSERT_TRUE(plan) << sentence(plan.error());
+    EXPECT_EQ(plan->robot, sample_plan().robot);
+    EXPECT_EQ(plan->options, sample_plan().options);
+}
+
 TEST(PlanErrors, NumbersThatAreNotFiniteAreRefused) {
     Plan plan = sample_plan();
     plan.samples[3].pose.heading = std::nan("");

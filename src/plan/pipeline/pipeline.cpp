@@ -269,8 +269,8 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     plan.figures.fill_hops = fills.account.hops;
     plan.figures.fill_drives_over = fills.account.drives_over;
     plan.bare = std::move(fills.bare);
-    plan.figures.fallbacks = strokes.fallbacks + static_cast<int>(unlifted.size() + wrong_hints.size()) +
-                             ordered->fallbacks;
+    plan.figures.fallbacks =
+        strokes.fallbacks + static_cast<int>(unlifted.size() + wrong_hints.size()) + ordered->fallbacks;
     take_account(plan, *ordered);
     add(plan.warnings, document.warnings);
     add(plan.warnings, plan.drawing.warnings);

@@ -64,6 +64,9 @@ At child(const At& at, std::string_view key) {
 }
 At item(const At& at, std::size_t index) { return {at.value[index], &at, {}, index}; }
 
+/// Keys that files of this version did not always have: absent, they keep their defaults.
+bool came_later(std::string_view key) { return key == "left_radius" || key == "right_radius"; }
+
 template <class T>
 concept Described = requires(T& value) {
     fields(value, [](const char*, auto&) {});
@@ -76,8 +79,9 @@ class PlanReader {
     void get(const At& at, T& value) {
         std::vector<std::string_view> known;
         fields(value, [&](const char* key, auto& field) {
-            get(child(at, key), field);
             known.push_back(key);
+            if (came_later(key) && at.value.is_object() && !at.value.contains(key)) return;
+            get(child(at, key), field);
         });
         no_others(at, known);
     }
@@ -209,12 +213,13 @@ class PlanReader {
     void get(const At& at, Options& options) {
         std::vector<std::string_view> known;
         for (const Setting& setting : settings()) {
+            known.push_back(setting.key);
+            if (at.value.is_object() && !at.value.contains(setting.key)) continue;  // from before it was one
             const At place = child(at, setting.key);
             std::string text;
             get(place, text);
             if (const auto done = set(options, setting.key, text); !done)
                 refuse(place, sentence(done.error()));
-            known.push_back(setting.key);
         }
         no_others(at, known);
     }

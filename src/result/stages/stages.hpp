@@ -52,9 +52,9 @@ struct Pair {
 };
 /// Error.place holds the line number.
 Outcome<Pair> read_pair(std::string_view line, int number, const PairDefaults& defaults);
-/// Equal steps of at most 0.01 R, at least 9 samples, 9 decimals. "fallback": the limit that the style breaks,
-/// where the curve is bounded instead. `failure`: reason, when the obstacles could
-/// not be kept clear of.
+/// Equal steps of at most 0.01 R, at least 9 samples, 9 decimals. "fallback": the limit that the style
+/// breaks, where the curve is bounded instead. `failure`: reason, when the obstacles could not be kept clear
+/// of.
 std::string write_curve(const Pair& pair, const connect::Connection& connection,
                         const std::optional<std::string>& failure);
 /// Whether the curve comes nearer than the clearance to any obstacle.
