@@ -6,9 +6,11 @@ namespace strandline::tour {
 namespace {
 
 /// Pieces in a run at most: long enough to leave the basin, short enough that the repair stays local.
-constexpr int longest_run = 10;
+constexpr int longest_run = 50;
 /// Kicks in a hundred that are strewn in the plane; they alone join strands that are far apart in the order.
 constexpr int strewn_share = 40;
+/// Its links: two circles of two each.
+constexpr int two_circles[] = {2, 4};
 /// Steps of their walks.
 constexpr int walk_steps = 4;
 
@@ -60,7 +62,7 @@ double Bridge::evaluate(Search& search) {
 }
 
 void Bridge::apply(Search& search) const {
-    search.tour.exchange(t_, 4, 2);
+    search.tour.exchange({t_, two_circles});
     search.touched.insert(search.touched.end(), t_, t_ + 8);
 }
 

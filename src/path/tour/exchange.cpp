@@ -1,12 +1,12 @@
+#include <algorithm>
+
 #include "path/tour/moves.hpp"
 
 namespace strandline::tour {
 namespace {
 
 /// How many candidates are tried at each depth: wide where it is cheap, narrow where branches multiply.
-constexpr int breadth[most_links] = {0, 5, 3, 2, 1};
-/// The most of them.
-constexpr int widest = 5;
+constexpr int breadth[most_links] = {0, 5, 3, 1, 1, 1};
 /// The gate has two nodes.
 constexpr int most_loose = 2;
 /// Depth to which a join with a loose node is followed up.
@@ -17,12 +17,19 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 double Exchange::evaluate(Search& search, int node) {
+    Sequence& tour = search.tour;
     t_[0] = node;
-    t_[1] = search.tour.mate(node);
-    return deeper(search, 1, search.tour.link(node));
+    t_[1] = tour.mate(node);
+    tour.mark_node(t_[0], true);
+    tour.mark_node(t_[1], true);
+    const double gain = deeper<1>(search, tour.link(node));
+    tour.mark_node(t_[0], false);
+    tour.mark_node(t_[1], false);
+    return gain;
 }
 
-double Exchange::deeper(Search& search, int k, double gain) {
+template <int k>
+double Exchange::deeper(Search& search, double gain) {
     Sequence& tour = search.tour;
     const Model& model = tour.model();
     const double tolerance = model.tolerance;
@@ -33,55 +40,65 @@ double Exchange::deeper(Search& search, int k, double gain) {
     const Candidates::Near* end =
         loose ? near + search.longest.size() : lists.all.data() + lists.first[at(last + 1)];
     struct Try {
-        int node, mate;
+        int node;
         double open;
     };
     // Loose nodes come first in every list and cost nothing: they are tried beside the best, not instead of
     // them.
-    Try tries[widest + most_loose];
+    Try tries[breadth[k] + most_loose];
     int count = 0, loose_count = 0;
     for (; near != end; ++near) {
         const auto [node, exact, least] = *near;
         if (gain - least <= tolerance) break;  // the lists are sorted
+        if (tour.marked(node)) continue;
         const double left = gain - (exact ? least : tour.gap(last, node));
         if (left <= tolerance) continue;
-        bool taken = false;
-        for (int i = 0; i < 2 * k; ++i) taken = taken || t_[i] == node;
-        if (taken) continue;
-        const int mate = tour.mate(node);
         const double open = left + tour.link(node);
         if (node >= model.loose_from) {
-            tries[widest + loose_count++] = {node, mate, open};
+            tries[breadth[k] + loose_count++] = {node, open};
             continue;
         }
         if (count == breadth[k] && tries[count - 1].open >= open) continue;
         int place = count < breadth[k] ? count++ : count - 1;
         for (; place > 0 && tries[place - 1].open < open; --place) tries[place] = tries[place - 1];
-        tries[place] = {node, mate, open};
+        tries[place] = {node, open};
     }
     for (int i = 0; i < count + loose_count; ++i) {
         const bool has_place = i < count;
-        const auto [node, mate, open] = tries[has_place ? i : widest + i - count];
+        const auto [node, open] = tries[has_place ? i : breadth[k] + i - count];
+        const int mate = tour.mate(node);
         t_[2 * k] = node;
         t_[2 * k + 1] = mate;
         const double closed = open - tour.gap(mate, t_[0]);
-        if (closed > tolerance && tour.closes(t_, k + 1)) {
+        if (closed > tolerance && tour.closes(t_, k + 1) && allowed(search, k + 1)) {
             k_ = k + 1;
-            if (!model.rules.any) return closed;
-            const std::size_t mark = tour.mark();
-            tour.exchange(t_, k_);
-            const bool allowed = tour.keeps_rules();
-            tour.back(mark);
-            if (allowed) return closed;
+            return closed;
         }
-        if (k + 1 < most_links && (has_place || k <= deepest_loose))
-            if (const double found = deeper(search, k + 1, open); found > 0) return found;
+        if constexpr (k + 1 < most_links) {
+            if (!has_place && k > deepest_loose) continue;
+            tour.mark_node(node, true);
+            tour.mark_node(mate, true);
+            const double found = deeper<k + 1>(search, open);
+            tour.mark_node(node, false);
+            tour.mark_node(mate, false);
+            if (found > 0) return found;
+        }
     }
     return 0;
 }
 
+bool Exchange::allowed(Search& search, int k) const {
+    Sequence& tour = search.tour;
+    if (!tour.model().rules.any) return true;
+    const std::size_t mark = tour.mark();
+    tour.exchange({{t_, at(2 * k)}, {&k, 1}});
+    const bool kept = tour.keeps_rules();
+    tour.back(mark);
+    return kept;
+}
+
 void Exchange::apply(Search& search) const {
-    search.tour.exchange(t_, k_);
+    search.tour.exchange({{t_, at(2 * k_)}, {&k_, 1}});
     search.touched.insert(search.touched.end(), t_, t_ + 2 * k_);
 }
 

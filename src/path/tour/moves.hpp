@@ -35,7 +35,10 @@ class Exchange {
     void apply(Search& search) const;
 
   private:
-    double deeper(Search& search, int k, double gain);
+    template <int k>
+    double deeper(Search& search, double gain);
+    /// Whether the rules are kept after it.
+    bool allowed(Search& search, int k) const;
     int t_[2 * most_links] = {};
     int k_ = 0;
 };

@@ -1,6 +1,12 @@
 #include "path/tour/moves.hpp"
 
 namespace strandline::tour {
+namespace {
+
+/// Links it takes out, in one circle.
+constexpr int three[] = {3};
+
+}  // namespace
 
 double Reinsert::evaluate(Search& search, int piece) {
     Sequence& tour = search.tour;
@@ -29,7 +35,7 @@ double Reinsert::evaluate(Search& search, int piece) {
             const int t[6] = {before, a, node, mate, b, after};
             if (model.rules.any) {
                 const std::size_t mark = tour.mark();
-                tour.exchange(t, 3);
+                tour.exchange({t, three});
                 const bool allowed = tour.keeps_rules();
                 tour.back(mark);
                 if (!allowed) break;
@@ -44,7 +50,7 @@ double Reinsert::evaluate(Search& search, int piece) {
 }
 
 void Reinsert::apply(Search& search) const {
-    search.tour.exchange(t_, 3);
+    search.tour.exchange({t_, three});
     search.tour.choose(piece_, choice_);
     search.touched.insert(search.touched.end(), t_, t_ + 6);
 }

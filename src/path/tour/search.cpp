@@ -4,71 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
-#include "path/tour/moves.hpp"
+#include "path/tour/assembly.hpp"
+#include "path/tour/descent.hpp"
+#include "path/tour/parts.hpp"
 
 namespace strandline::tour {
 namespace {
 
+double env(const char* n, double d) { const char* v = std::getenv(n); return v ? std::atof(v) : d; }
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Owners in a candidate list. Ten rather than eight: clusters and drawings with doubled lines need the room.
-constexpr int candidate_count = 10;
 constexpr std::uint64_t fewest_default_kicks = 16'000, most_default_kicks = 60'000;
 /// Small enough that a proof is tried, so a short search will do.
 constexpr std::uint64_t few_pieces = 40;
-/// A loss of so many mean legs is accepted with chance 1/e at first, then less, and none in the last tenth of
-/// a round.
-constexpr double first_heat = 1, heated_share = 0.9;
-constexpr int most_heated = 20'000;
-/// Both ends of so many / 2 of the longest links.
-constexpr int longest_count = 24;
-/// Descent steps between two questions whether to stop.
-constexpr int steps_between_polls = 256;
-
-/// Nodes whose links are to be looked at, each once.
-class Queue {
-  public:
-    explicit Queue(int nodes) : waiting_(at(nodes), false) {}
-    void push(int node) {
-        if (waiting_[at(node)]) return;
-        waiting_[at(node)] = true;
-        nodes_.push_back(node);
-    }
-    int pop() {
-        if (head_ == nodes_.size()) {
-            nodes_.clear();
-            head_ = 0;
-            return -1;
-        }
-        const int node = nodes_[head_++];
-        waiting_[at(node)] = false;
-        return node;
-    }
-    void clear() {
-        while (pop() >= 0) {
-        }
-    }
-
-  private:
-    std::vector<bool> waiting_;
-    std::vector<int> nodes_;
-    std::size_t head_ = 0;
-};
-
-/// The nodes at the ends of the longest links: where a loose end is best put.
-void find_longest(Search& search) {
-    const Sequence& tour = search.tour;
-    search.longest.clear();
-    if (tour.model().loose_from == tour.nodes()) return;
-    std::vector<std::pair<double, int>> links;
-    for (int node = 0; node < tour.model().loose_from; ++node)
-        links.emplace_back(-tour.gap(node, tour.mate(node)), node);
-    const auto count = std::min<std::ptrdiff_t>(longest_count, static_cast<std::ptrdiff_t>(links.size()));
-    std::partial_sort(links.begin(), links.begin() + count, links.end());
-    for (std::ptrdiff_t k = 0; k < count; ++k)
-        search.longest.push_back({links[static_cast<std::size_t>(k)].second, true, 0});
-}
+/// A loss of so many mean legs is accepted with chance 1/e at first, then less, and none in the last tenth.
+constexpr double heated_share = 0.9;
 
 /// In (0, 1].
 double uniform(std::mt19937_64& random) {
@@ -76,113 +30,26 @@ double uniform(std::mt19937_64& random) {
     return (static_cast<double>(random() >> 11) + 1) / steps;
 }
 
-class Descent {
-  public:
-    Descent(Search& search, const Progress& progress, std::uint64_t most_visits)
-        : search_(search), progress_(progress), most_visits_(most_visits), queue_(search.tour.nodes()) {}
-
-    /// Every polygon whose links changed is entered anew; all that was touched is queued. The gain.
-    double settle() {
-        double gain = 0;
-        for (std::size_t k = 0; k < search_.touched.size(); ++k) {
-            const int node = search_.touched[k];
-            queue_.push(node);
-            if (!search_.tour.model().is_polygon(node / 2)) continue;
-            queue_.push(node ^ 1);
-            if (const double g = revertex_.evaluate(search_, node / 2); g > 0) {
-                revertex_.apply(search_);
-                queue_.push(search_.tour.mate(node));
-                queue_.push(search_.tour.mate(node ^ 1));
-                gain += g;
-            }
-        }
-        search_.touched.clear();
-        return gain;
-    }
-
-    /// Until no move gains. keep_log: so that the caller can take it back.
-    double run(bool keep_log) {
-        double gain = settle();
-        for (int node = queue_.pop(); node >= 0 && !ended(); node = queue_.pop()) {
-            double g = exchange_.evaluate(search_, node);
-            if (g > 0) {
-                exchange_.apply(search_);
-            } else if (search_.tour.model().is_polygon(node / 2)) {
-                g = reinsert_.evaluate(search_, node / 2);
-                if (g > 0) reinsert_.apply(search_);
-            }
-            if (g > 0) gain += g + settle();
-            if (!keep_log) search_.tour.forget();
-            if (++steps_ % steps_between_polls == 0) stopped_ = progress_.stopped();
-        }
-        if (ended()) queue_.clear();
-        return gain;
-    }
-
-    bool stopped() const { return stopped_; }
-    bool ended() const { return stopped_ || search_.tour.visits_read > most_visits_; }
-    void touch_all() {
-        for (int place = 0; place < search_.tour.nodes(); ++place)
-            search_.touched.push_back(search_.tour.node_at(place));
-    }
-
-  private:
-    Search& search_;
-    const Progress& progress_;
-    const std::uint64_t most_visits_;
-    Queue queue_;
-    Exchange exchange_;
-    Reinsert reinsert_;
-    Revertex revertex_;
-    std::uint64_t steps_ = 0;
-    bool stopped_ = false;
+/// What a search needs besides the problem.
+struct Run_ {
+    const Progress& progress;
+    std::uint64_t most_visits;
+    std::uint64_t moves = 0;   ///< kicks done
+    std::uint64_t all = 0;     ///< kicks to do
+    bool stopped = false;
+    double best = 0;
 };
 
-}  // namespace
-
-std::uint64_t default_kicks(int pieces) {
-    // Up to a few hundred pieces well under a second, 1,000 in one second, a few seconds beyond.
-    const auto n = static_cast<std::uint64_t>(std::max(pieces, 1));
-    return n <= few_pieces ? 50 * n : std::clamp(30 * n, fewest_default_kicks, most_default_kicks);
-}
-
-Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks,
-                 const Progress& progress, std::uint64_t most_visits) {
-    const Candidates candidates = find_candidates(model, candidate_count);
-    Search search{Sequence(model, first), candidates, std::mt19937_64(seed), {}, {}};
+/// Kicks and repairs at a falling heat. Ends where it is.
+void anneal(Search& search, Descent& descent, std::uint64_t kicks, double first_heat, Run_& run) {
     Sequence& tour = search.tour;
-    Descent descent(search, progress, most_visits);
-    choose_all_vertices(search);
-    find_longest(search);
-    descent.touch_all();
-    descent.run(false);
-    if (choose_all_vertices(search) > 0) descent.run(false);
-    tour.forget();
-
-    Searched result;
-    double length = tour.length(), best = length;
-    // What is accepted beyond a gain: in every round of kicks a loss that shrinks to nothing, in shares of
-    // the mean leg. Leaving the best costs a copy of it, so very large tours only go downhill.
-    const bool heated = model.piece_count() <= most_heated;
-    const double leg = heated ? length / std::max(1, tour.nodes() / 2) : 0;
-    std::uint64_t round_begin = 0, round_size = std::min(kicks, default_kicks(model.piece_count()));
-    std::vector<Visit> kept;
-    bool away = false;  // from the best, which is then in `kept`
+    if (tour.nodes() < 8) return;
     Bridge bridge;
-    const bool can_kick = tour.nodes() >= 8;
+    const double leg = tour.length() / std::max(1, tour.nodes() / 2);
     const auto renewal = static_cast<std::uint64_t>(tour.nodes());
-    const std::uint64_t reports = std::max<std::uint64_t>(1, std::min<std::uint64_t>(kicks / 100, 10'000));
-    for (; can_kick && result.moves < kicks && !descent.ended(); ++result.moves) {
-        if (result.moves % reports == 0)
-            progress.report(fmt::format("rake up {:.6g}", best),
-                            static_cast<double>(result.moves) / static_cast<double>(kicks));
-        if (result.moves % renewal == 0) find_longest(search);
-        if (result.moves - round_begin >= round_size) {
-            round_begin = result.moves;
-            round_size *= 2;
-        }
-        const double share =
-            static_cast<double>(result.moves - round_begin) / static_cast<double>(round_size);
+    for (std::uint64_t k = 0; k < kicks && !descent.ended(); ++k, ++run.moves) {
+        if (k % renewal == 0) find_longest(search);
+        const double share = static_cast<double>(k) / static_cast<double>(kicks);
         const double heat = first_heat * leg * std::max(0.0, 1 - share / heated_share);
         double gain = bridge.evaluate(search);
         bridge.apply(search);
@@ -197,33 +64,117 @@ Searched improve(const Model& model, const std::vector<Visit>& first, std::uint6
             tour.back(0);
             continue;
         }
-        if (gain > model.tolerance) {
+        if (gain > tour.model().tolerance) {
             for (int i = 0; i < 8; ++i) gain += choose_vertices_around(search, bridge.nodes()[i] / 2);
-            gain += descent.run(true);
-        }
-        if (gain < -model.tolerance && !away) {
-            // The best is left: it is what was there before this kick.
-            const auto here = tour.order();
-            tour.back(0);
-            kept = tour.order();
-            const std::uint64_t read = tour.visits_read;
-            tour = Sequence(model, here);
-            tour.visits_read = read;
-            away = true;
-        }
-        length -= gain;
-        if (length < best - model.tolerance) {
-            best = length;
-            away = false;
+            descent.run(true);
         }
         tour.forget();
     }
-    if (away) tour = Sequence(model, kept);
+    run.stopped = run.stopped || descent.stopped();
+}
+
+std::vector<Visit> refine(const Model& model, const Candidates& near, const std::vector<Visit>& first,
+                          std::uint64_t seed, std::uint64_t kicks, double heat, Run_& run) {
+    Search search{Sequence(model, first), near, std::mt19937_64(seed), {}, {}};
+    Descent descent(search, run.progress, run.most_visits);
+    const double before = search.tour.length();
+    const double q = static_cast<double>(kicks) / std::max(1, model.piece_count());
+    const int members = env("M",0)>0 ? static_cast<int>(env("M",0)) : model.rules.any || q < 16 ? 1 : std::clamp(static_cast<int>(q / 8), 4, 10);
+    find_longest(search);
+    if (members == 1) {
+        anneal(search, descent, kicks, heat, run);
+        if (choose_all_vertices(search) > 0) descent.run(false);
+        search.touched.clear();
+        return search.tour.length() < before ? search.tour.order() : first;
+    }
+    std::vector<Sequence> population;
+    std::vector<double> lengths;
+    const auto share = kicks / static_cast<std::uint64_t>(members);
+    const Sequence start = search.tour;
+    for (int m = 0; m < members; ++m) {
+        search.tour = start;
+        anneal(search, descent, share, heat, run);
+        if (choose_all_vertices(search) > 0) descent.run(false);
+        search.touched.clear();
+        search.tour.forget();
+        population.push_back(search.tour);
+        lengths.push_back(search.tour.length());
+        if (run.stopped) break;
+    }
+    const int count = static_cast<int>(population.size());
+    if (std::getenv("V")) {double s=0;for(double l:lengths)s+=l; fprintf(stderr,"pop mean %.2f best %.2f\n",s/count,*std::min_element(lengths.begin(),lengths.end()));}
+    std::vector<int> turn(at(count));
+    for (int m = 0; m < count; ++m) turn[at(m)] = m;
+    int generations = 0;
+    for (bool gained = true; gained && count > 1 && !run.stopped && generations < 200; ++generations) {
+        gained = false;
+        for (std::size_t k = at(count); k > 1; --k)
+            std::swap(turn[k - 1], turn[at(below(search.random, static_cast<int>(k)))]);
+        const Sequence first_one = population[at(turn[0])];
+        for (int m = 0; m < count; ++m) {
+            Sequence& own = population[at(turn[at(m)])];
+            std::swap(search.tour, own);
+            const double gain =
+                absorb(search, descent, m + 1 < count ? population[at(turn[at(m + 1)])] : first_one);
+            std::swap(search.tour, own);
+            gained = gained || gain > 0;
+        }
+    }
+    int best = 0;
+    for (int m = 0; m < count; ++m) {
+        lengths[at(m)] = population[at(m)].length();
+        if (lengths[at(m)] < lengths[at(best)]) best = m;
+    }
+    if (std::getenv("V")) {double s=0;for(double l:lengths)s+=l; fprintf(stderr,"gen %d mean %.2f best %.2f\n",generations,s/count,lengths[at(best)]);}
+    std::swap(search.tour, population[at(best)]);
     if (choose_all_vertices(search) > 0) search.touched.clear();
-    length = tour.length();
-    progress.report(fmt::format("rake up {:.6g}", length), 1);
-    result.stopped = descent.stopped();
-    result.order = tour.order();
+    return search.tour.length() < before ? search.tour.order() : first;
+}
+
+}  // namespace
+
+std::uint64_t default_kicks(int pieces) {
+    // Up to a few hundred pieces well under a second, 1,000 in one second, a few seconds beyond.
+    const auto n = static_cast<std::uint64_t>(std::max(pieces, 1));
+    return n <= few_pieces ? 50 * n : std::clamp(30 * n, fewest_default_kicks, most_default_kicks);
+}
+
+Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks,
+                 const Progress& progress, std::uint64_t most_visits) {
+    const Candidates near = find_candidates(model, static_cast<int>(env("K",10)));
+    Run_ run{progress, most_visits};
+    Searched result;
+    {
+        Search search{Sequence(model, first), near, std::mt19937_64(seed), {}, {}};
+        Descent descent(search, progress, most_visits);
+        choose_all_vertices(search);
+        find_longest(search);
+        descent.touch_all();
+        descent.run(false);
+        if (choose_all_vertices(search) > 0) descent.run(false);
+        result.order = search.tour.order();
+        run.stopped = descent.stopped();
+    }
+    const int most = static_cast<int>(env("PART",1000));
+    const double h = env("HEAT",0.7);
+    if (model.rules.any || model.piece_count() <= 2*most) {
+        if (!run.stopped) result.order = refine(model, near, result.order, seed, kicks, h, run);
+    } else {
+        const int passes = static_cast<int>(env("PASSES",2));
+        for (int pass = 0; pass < passes; ++pass)
+            for (const auto& pieces : parts_of(model, most, pass == 0 ? 0.0 : static_cast<double>(pass)/passes)) {
+                if (run.stopped) break;
+                const Part part = part_of(model, near, result.order, pieces);
+                const auto share = kicks * pieces.size() / static_cast<std::size_t>(model.piece_count() * passes);
+                const auto found = refine(part.model, part.near, part.order, seed+static_cast<std::uint64_t>(pass), share, pass?env("HEAT2",0.3):h, run);
+                result.order = put_back(model, part, found, result.order);
+            }
+    }
+    Search last{Sequence(model, result.order), near, std::mt19937_64(seed), {}, {}};
+    choose_all_vertices(last);
+    result.order = last.tour.order();
+    result.moves = run.moves;
+    result.stopped = run.stopped;
     return result;
 }
 
