@@ -80,8 +80,11 @@ Outcome<Robot> robot_of(const Wishes& wishes) {
 Progress limited(Progress progress, double seconds) {
     if (seconds <= 0) return progress;
     const auto asked = progress.stopped;
-    const std::clock_t end = std::clock() + static_cast<std::clock_t>(seconds * CLOCKS_PER_SEC);
-    progress.stopped = [asked, end] { return asked() || std::clock() > end; };
+    const auto used = [begin = std::clock(), seconds] {
+        return static_cast<double>(std::clock() - begin) / (seconds * CLOCKS_PER_SEC);
+    };
+    progress.time_used = used;
+    progress.stopped = [asked, used] { return asked() || used() >= 1; };
     return progress;
 }
 

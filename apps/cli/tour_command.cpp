@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <ctime>
-#include <limits>
 
 #include "base/units/units.hpp"
 #include "commands.hpp"
@@ -51,7 +50,7 @@ int tour(const TourArguments& arguments, const Common& common) {
     tour::Options options{.seed = arguments.seed, .moves = arguments.moves};
     Progress progress = console_progress(common.quiet);
     if (limit > 0) {
-        if (options.moves == 0) options.moves = std::numeric_limits<std::uint64_t>::max();
+        progress.time_used = [limit] { return cpu_time() / limit; };
         progress.stopped = [limit, interrupted = progress.stopped] {
             return interrupted() || cpu_time() >= limit;
         };

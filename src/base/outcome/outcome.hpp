@@ -43,6 +43,8 @@ std::string sentence(const Warning& warning);
 struct Progress {
     std::function<void(const std::string& what, double share)> report = [](const std::string&, double) {};
     std::function<bool()> stopped = [] { return false; };
+    /// Share of a time limit used so far; empty: none is set. Whoever plans by it differs from run to run.
+    std::function<double()> time_used = {};
 };
 
 }  // namespace strandline

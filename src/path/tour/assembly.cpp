@@ -13,6 +13,8 @@ constexpr std::size_t longest_circle = 400;
 constexpr int largest_ring = 1'000;
 /// A circle that loses more than this share of the mean leg before the descent is not worth one.
 constexpr double worst_loss = 0.5;
+/// A circle that gained nothing may gain when its surroundings have changed: so often.
+constexpr int most_tries = 10;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -62,8 +64,9 @@ class Plan {
 };
 
 /// The least costly way to join the smallest ring to another: links (a, its mate) and (b, its mate) become
-/// a b and the two mates. Returns its cost; infinite when there is none.
-double join_smallest(const Search& search, Plan& plan, const std::vector<Run>& runs, int rings) {
+/// a b and the two mates. Returns its cost; infinite when there is none below `limit`.
+double join_smallest(const Search& search, Plan& plan, const std::vector<Run>& runs, int rings,
+                     double limit) {
     const Sequence& tour = search.tour;
     const Model& model = tour.model();
     std::vector<int> size(at(rings), 0);
@@ -71,40 +74,38 @@ double join_smallest(const Search& search, Plan& plan, const std::vector<Run>& r
     const int ring = static_cast<int>(std::min_element(size.begin(), size.end()) - size.begin());
     constexpr double none = std::numeric_limits<double>::infinity();
     if (size[at(ring)] > largest_ring) return none;
-    // Runs begin in ring order of their places, but for the one that wraps: it holds what comes before all.
-    std::vector<std::pair<int, int>> begins;
-    for (const Run& run : runs) begins.emplace_back(run.begin, run.ring);
-    std::sort(begins.begin(), begins.end());
-    const auto ring_at = [&](int place) {
-        const auto after = std::upper_bound(begins.begin(), begins.end(), std::pair(place, rings));
-        return after == begins.begin() ? begins.back().second : std::prev(after)->second;
+    // Runs follow each other in the array; the last of them may wrap.
+    const auto in_ring = [&](int place) {
+        for (const Run& run : runs) {
+            const int ahead = place - run.begin + (place < run.begin ? tour.nodes() : 0);
+            if (ahead < run.count) return run.ring == ring;
+        }
+        return false;
     };
-    double best = none;
-    int best_a = 0, best_b = 0;
+    const auto& lists = search.candidates;
+    double best = limit;
+    int best_a = -1, best_b = -1;
     for (const Run& run : runs) {
         if (run.ring != ring) continue;
-        for (int i = 0; i < run.count; ++i) {
-            const int a = tour.node_at((run.begin + i) % tour.nodes());
+        for (int i = 0, place = run.begin; i < run.count; ++i, place = place + 1 == tour.nodes() ? 0 : place + 1) {
+            const int a = tour.node_at(place);
             if (a >= model.loose_from) continue;
             const int mate_a = plan.mate(a);
             const double link_a = tour.gap(a, mate_a);
-            const auto& lists = search.candidates;
             for (int c = lists.first[at(a)]; c < lists.first[at(a + 1)]; ++c) {
                 const auto [b, exact, least] = lists.all[at(c)];
                 if (least - link_a >= best) break;
-                if (ring_at(tour.place_of(b)) == ring) continue;
                 const int mate_b = plan.mate(b);
                 const double cost =
                     tour.gap(a, b) + tour.gap(mate_a, mate_b) - link_a - tour.gap(b, mate_b);
-                if (cost < best) {
-                    best = cost;
-                    best_a = a;
-                    best_b = b;
-                }
+                if (cost >= best || in_ring(tour.place_of(b))) continue;
+                best = cost;
+                best_a = a;
+                best_b = b;
             }
         }
     }
-    if (best == none) return none;
+    if (best_a < 0) return none;
     const int mate_a = plan.mate(best_a), mate_b = plan.mate(best_b);
     plan.join(best_a, best_b);
     plan.join(mate_a, mate_b);
@@ -162,9 +163,26 @@ double take_choices(Search& search, const std::vector<int>& circle, const Sequen
     return gain;
 }
 
+/// A number for the circle's removed and new links, whatever node it is read from.
+std::uint64_t number_of(const std::vector<int>& circle) {
+    const auto mixed = [](int a, int b) {
+        const auto low = static_cast<std::uint64_t>(std::min(a, b)), high = static_cast<std::uint64_t>(std::max(a, b));
+        std::uint64_t x = (high << 32 | low) + 0x9e3779b97f4a7c15;  // splitmix64 (Steele, Lea, Flood 2014)
+        x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+        x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+        return x ^ (x >> 31);
+    };
+    std::uint64_t removed = 0, added = 0;
+    for (std::size_t i = 0; i < circle.size(); i += 2) {
+        removed += mixed(circle[i], circle[i + 1]);
+        added += mixed(circle[i + 1], circle[i + 2 < circle.size() ? i + 2 : 0]);
+    }
+    return removed + 3 * added;
+}
+
 /// The change a circle makes, its rings joined; empty when it cannot be had or loses too much.
 Change assembled(const Search& search, Plan& plan, const std::vector<int>& circle, double& gain,
-                 std::vector<Run>& runs) {
+                 double loss, std::vector<Run>& runs) {
     const Sequence& tour = search.tour;
     gain = 0;
     for (std::size_t i = 0; i < circle.size(); i += 2) {
@@ -174,7 +192,7 @@ Change assembled(const Search& search, Plan& plan, const std::vector<int>& circl
     }
     Change change = plan.change();
     for (int rings = tour.rings(change, runs); rings > 1; rings = tour.rings(change, runs)) {
-        gain -= join_smallest(search, plan, runs, rings);
+        gain -= join_smallest(search, plan, runs, rings, gain + loss);
         if (gain == -std::numeric_limits<double>::infinity()) return {};
         change = plan.change();
         if (change.t.empty()) return {};
@@ -184,7 +202,7 @@ Change assembled(const Search& search, Plan& plan, const std::vector<int>& circl
 
 }  // namespace
 
-double absorb(Search& search, Descent& descent, const Sequence& other) {
+double absorb(Search& search, Descent& descent, const Sequence& other, Vain& vain) {
     Sequence& tour = search.tour;
     std::vector<std::vector<int>> circles = circles_between(tour, mates_like(tour, other));
     for (std::size_t k = circles.size(); k > 1; --k)
@@ -200,23 +218,28 @@ double absorb(Search& search, Descent& descent, const Sequence& other) {
         for (std::size_t i = 0; i < circle.size() && still_there; i += 2)
             still_there = tour.mate(circle[i]) == circle[i + 1];
         if (!still_there) continue;
+        const std::uint64_t number = number_of(circle);
+        if (const auto found = vain.find(number); found != vain.end() && found->second >= most_tries) continue;
         // Vertices first: the circle's links are measured between them.
         double gain = take_choices(search, circle, other), linked = 0;
         plan.clear();
-        const Change change = assembled(search, plan, circle, linked, runs);
+        const Change change = assembled(search, plan, circle, linked, loss + gain, runs);
         gain += linked;
         if (change.t.empty() || gain < -loss) {
             search.touched.clear();
             tour.back(0);
+            ++vain[number];
             continue;
         }
         tour.exchange(change);
         search.touched.insert(search.touched.end(), change.t.begin(), change.t.end());
-        gain += descent.run(true);
-        if (gain <= tour.model().tolerance || descent.ended())
+        gain += descent.run();
+        if (gain <= tour.model().tolerance || descent.ended()) {
             tour.back(0);
-        else
+            ++vain[number];
+        } else {
             total += gain;
+        }
         tour.forget();
     }
     return total;

@@ -5,10 +5,6 @@
 namespace strandline::tour {
 namespace {
 
-/// Pieces in a run at most: long enough to leave the basin, short enough that the repair stays local.
-constexpr int longest_run = 50;
-/// Kicks in a hundred that are strewn in the plane; they alone join strands that are far apart in the order.
-constexpr int strewn_share = 40;
 /// Its links: two circles of two each.
 constexpr int two_circles[] = {2, 4};
 /// Steps of their walks.
@@ -44,8 +40,8 @@ double Bridge::evaluate(Search& search) {
     const Sequence& tour = search.tour;
     const int pieces = tour.nodes() / 2;
     int places[4], link[8];
-    if (below(search.random, 100) >= strewn_share || !strewn(search, places)) {
-        const int most = std::clamp((pieces - 1) / 3, 1, longest_run);
+    if (below(search.random, 100) >= strewn_ || !strewn(search, places)) {
+        const int most = std::clamp((pieces - 1) / 3, 1, longest_run_);
         places[0] = 2 * below(search.random, pieces) + 1;
         for (int i = 1; i < 4; ++i) places[i] = places[i - 1] + 2 * (1 + below(search.random, most));
     }

@@ -61,24 +61,33 @@ double Descent::settle() {
     return gain;
 }
 
-double Descent::run(bool keep_log) {
+template <class Move>
+double Descent::run(Move& exchange, bool keep_log) {
     double gain = settle();
     for (int node = pop(); node >= 0 && !ended(); node = pop()) {
-        double g = exchange_.evaluate(search_, node);
+        double g = exchange.evaluate(search_, node);
         if (g > 0) {
-            exchange_.apply(search_);
+            exchange.apply(search_);
         } else if (search_.tour.model().is_polygon(node / 2)) {
             g = reinsert_.evaluate(search_, node / 2);
             if (g > 0) reinsert_.apply(search_);
         }
         if (g > 0) gain += g + settle();
         if (!keep_log) search_.tour.forget();
-        if (++steps_ % steps_between_polls == 0) stopped_ = progress_.stopped();
+        if (++budget_.steps % steps_between_polls == 0 && budget_.progress.stopped()) budget_.stopped = true;
     }
     if (ended())
         while (pop() >= 0) {
         }
     return gain;
+}
+
+double Descent::run() {
+    return run(exchange_, true);
+}
+
+double Descent::run_wide() {
+    return run(wide_exchange_, false);
 }
 
 void Descent::touch_all() {

@@ -3,26 +3,30 @@
 #include <cstdint>
 #include <vector>
 
+#include "path/tour/budget.hpp"
 #include "path/tour/moves.hpp"
 
 namespace strandline::tour {
 
 class Descent {
   public:
-    /// Ends early when progress is stopped or `most_visits` were read to see whether rules are kept.
-    Descent(Search& search, const Progress& progress, std::uint64_t most_visits)
+    /// Counts its steps in `budget`; ends early when the caller stops it, or when too much was read to see
+    /// whether rules are kept.
+    Descent(Search& search, Budget& budget)
         : search_(search),
-          progress_(progress),
-          most_visits_(most_visits),
+          budget_(budget),
           waiting_(static_cast<std::size_t>(search.tour.nodes()), false) {}
 
-    /// From what was touched until nothing gains; the gain. keep_log: so that the caller can take it back.
-    double run(bool keep_log);
+    /// From what was touched until nothing gains; the gain. The caller can take it back.
+    double run();
+    /// The same with wide exchanges, for good.
+    double run_wide();
     void touch_all();
-    bool stopped() const { return stopped_; }
-    bool ended() const { return stopped_ || search_.tour.visits_read > most_visits_; }
+    bool ended() const { return budget_.stopped || search_.tour.visits_read > budget_.most_visits; }
 
   private:
+    template <class Move>
+    double run(Move& exchange, bool keep_log);
     /// Every polygon whose links changed is entered anew; all that was touched is queued. The gain.
     double settle();
     void push(int node);
@@ -30,16 +34,14 @@ class Descent {
     int pop();
 
     Search& search_;
-    const Progress& progress_;
-    const std::uint64_t most_visits_;
+    Budget& budget_;
     std::vector<char> waiting_;  ///< in the queue already
     std::vector<int> queue_;
     std::size_t head_ = 0;
-    Exchange exchange_;
+    Exchange<narrow> exchange_;
+    Exchange<wide> wide_exchange_;
     Reinsert reinsert_;
     Revertex revertex_;
-    std::uint64_t steps_ = 0;
-    bool stopped_ = false;
 };
 
 /// The nodes at the ends of the longest links: where a loose end is best put. Into search.longest.

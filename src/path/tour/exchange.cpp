@@ -5,8 +5,6 @@
 namespace strandline::tour {
 namespace {
 
-/// How many candidates are tried at each depth: wide where it is cheap, narrow where branches multiply.
-constexpr int breadth[most_links] = {0, 5, 3, 1, 1, 1};
 /// The gate has two nodes.
 constexpr int most_loose = 2;
 /// Depth to which a join with a loose node is followed up.
@@ -16,20 +14,22 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-double Exchange::evaluate(Search& search, int node) {
+template <const int* breadth>
+double Exchange<breadth>::evaluate(Search& search, int node) {
     Sequence& tour = search.tour;
     t_[0] = node;
     t_[1] = tour.mate(node);
     tour.mark_node(t_[0], true);
     tour.mark_node(t_[1], true);
-    const double gain = deeper<1>(search, tour.link(node));
+    const double gain = this->template deeper<1>(search, tour.link(node));
     tour.mark_node(t_[0], false);
     tour.mark_node(t_[1], false);
     return gain;
 }
 
+template <const int* breadth>
 template <int k>
-double Exchange::deeper(Search& search, double gain) {
+double Exchange<breadth>::deeper(Search& search, double gain) {
     Sequence& tour = search.tour;
     const Model& model = tour.model();
     const double tolerance = model.tolerance;
@@ -51,17 +51,20 @@ double Exchange::deeper(Search& search, double gain) {
         const auto [node, exact, least] = *near;
         if (gain - least <= tolerance) break;  // the lists are sorted
         if (tour.marked(node)) continue;
-        const double left = gain - (exact ? least : tour.gap(last, node));
-        if (left <= tolerance) continue;
+        const double left = exact ? gain - least : gain - tour.gap(last, node);
+        if (!exact && left <= tolerance) continue;
         const double open = left + tour.link(node);
         if (node >= model.loose_from) {
             tries[breadth[k] + loose_count++] = {node, open};
-            continue;
+        } else if constexpr (breadth[k] == 1) {
+            if (count == 0 || open > tries[0].open) tries[0] = {node, open};
+            count = 1;
+        } else {
+            if (count == breadth[k] && tries[count - 1].open >= open) continue;
+            int place = count < breadth[k] ? count++ : count - 1;
+            for (; place > 0 && tries[place - 1].open < open; --place) tries[place] = tries[place - 1];
+            tries[place] = {node, open};
         }
-        if (count == breadth[k] && tries[count - 1].open >= open) continue;
-        int place = count < breadth[k] ? count++ : count - 1;
-        for (; place > 0 && tries[place - 1].open < open; --place) tries[place] = tries[place - 1];
-        tries[place] = {node, open};
     }
     for (int i = 0; i < count + loose_count; ++i) {
         const bool has_place = i < count;
@@ -87,7 +90,8 @@ double Exchange::deeper(Search& search, double gain) {
     return 0;
 }
 
-bool Exchange::allowed(Search& search, int k) const {
+template <const int* breadth>
+bool Exchange<breadth>::allowed(Search& search, int k) const {
     Sequence& tour = search.tour;
     if (!tour.model().rules.any) return true;
     const std::size_t mark = tour.mark();
@@ -97,9 +101,13 @@ bool Exchange::allowed(Search& search, int k) const {
     return kept;
 }
 
-void Exchange::apply(Search& search) const {
+template <const int* breadth>
+void Exchange<breadth>::apply(Search& search) const {
     search.tour.exchange({{t_, at(2 * k_)}, {&k_, 1}});
     search.touched.insert(search.touched.end(), t_, t_ + 2 * k_);
 }
+
+template class Exchange<narrow>;
+template class Exchange<wide>;
 
 }  // namespace strandline::tour

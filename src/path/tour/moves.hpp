@@ -24,9 +24,14 @@ inline int below(std::mt19937_64& random, int n) {
     return static_cast<int>(((random() >> 32) * static_cast<std::uint64_t>(n)) >> 32);
 }
 
+/// How many candidates an exchange tries at each depth. Narrow repairs what a kick broke; wide is for what is
+/// far from good: it costs three times as much a node and leaves half the excess.
+inline constexpr int narrow[most_links] = {0, 5, 3, 1, 1, 1}, wide[most_links] = {0, 8, 5, 3, 2, 1};
+
 /// Sequential exchange of up to `most_links` links (Lin and Kernighan, Operations Research 21, 1973;
 /// depth-first without a feasibility check on the way: the ring is tested only where closing it would gain,
 /// which is rare).
+template <const int* breadth>
 class Exchange {
   public:
     static constexpr const char* name = "exchange";
@@ -42,6 +47,8 @@ class Exchange {
     int t_[2 * most_links] = {};
     int k_ = 0;
 };
+extern template class Exchange<narrow>;
+extern template class Exchange<wide>;
 
 /// A polygon is taken out and put elsewhere, at whichever vertex suits the new place.
 class Reinsert {
@@ -77,12 +84,16 @@ double choose_vertices_around(Search& search, int piece);
 class Bridge {
   public:
     static constexpr const char* name = "bridge";
+    /// longest_run: pieces in a run at most; strewn: kicks in a hundred whose links are near each other in the
+    /// plane, wherever they are in the order.
+    Bridge(int longest_run, int strewn) : longest_run_(longest_run), strewn_(strewn) {}
     /// Picks a place at random; the gain, as a rule below 0.
     double evaluate(Search& search);
     void apply(Search& search) const;
     const int* nodes() const { return t_; }
 
   private:
+    int longest_run_, strewn_;
     int t_[8] = {};
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The local search: descent over a work queue, then kicks with an undo log.
+// The search as a whole: a descent, then what the budget has room for, in parts where the problem is large.
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -13,14 +13,14 @@ struct Searched {
     std::uint64_t moves = 0;
     bool stopped = false;
 };
-/// Never longer than `first`; keeps the rules if `first` does. Deterministic for seed and kicks unless
-/// stopped. It also ends, with what it has, when it has read `most_visits` visits to see whether rules are
-/// kept.
-Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t kicks,
+/// Never longer than `first`; keeps the rules if `first` does. Deterministic for seed and moves, unless
+/// stopped or within a time limit. It also ends, with what it has, when it has read `most_visits` visits to
+/// see whether rules are kept. O(n) memory.
+Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t moves,
                  const Progress& progress,
                  std::uint64_t most_visits = std::numeric_limits<std::uint64_t>::max());
-/// Kicks when none are asked for, by the number of pieces.
-std::uint64_t default_kicks(int pieces);
+/// Moves when none are asked for, by the number of pieces.
+std::uint64_t default_moves(int pieces);
 /// Each candidate of a problem with rules is tried by reading the whole order: so many visits take about half
 /// a second.
 inline constexpr std::uint64_t default_visits = 40'000'000;

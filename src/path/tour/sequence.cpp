@@ -108,12 +108,37 @@ int Sequence::follow(int k) const {
 }
 
 bool Sequence::closes(const int* t, int k) const {
-    const int circle[] = {k};
-    find_joints({{t, index(2 * k)}, circle});
+    // The second node of a link that goes and the next one's first are joined: with two links the ring stays
+    // whole if and only if both lie on the same side of their link.
+    if (k == 2) return ((place_of(t[1]) ^ place_of(t[2])) & 1) == 0;
+    int begins[most_links], order[most_links], slot[2 * most_links], joined[2 * most_links];
+    for (int i = 0; i < k; ++i) {
+        const int a = place_of(t[2 * i]), begin = (a & 1) ? a : place_of(t[2 * i + 1]);
+        int j = i;
+        for (; j > 0 && begin < begins[j - 1]; --j) {
+            begins[j] = begins[j - 1];
+            order[j] = order[j - 1];
+        }
+        begins[j] = begin;
+        // Bit 0: whether the link's first node is the right end of the run before it.
+        order[j] = 2 * i + (a & 1);
+    }
+    // Slot 2r is the left end of run r, 2r + 1 its right end; run r begins after the r-th link.
+    for (int r = 0; r < k; ++r) {
+        const int i = order[r] / 2, right_of_previous = 2 * (r == 0 ? k - 1 : r - 1) + 1;
+        const bool first_is_right = (order[r] & 1) != 0;
+        slot[2 * i] = first_is_right ? right_of_previous : 2 * r;
+        slot[2 * i + 1] = first_is_right ? 2 * r : right_of_previous;
+    }
+    for (int i = 0; i < k; ++i) {
+        const int a = slot[2 * i + 1], b = slot[i + 1 < k ? 2 * (i + 1) : 0];
+        joined[a] = b;
+        joined[b] = a;
+    }
     int met = 0, here = 0;
     do {
         ++met;
-        here = joints_.joined[index(here ^ 1)];
+        here = joined[here ^ 1];
     } while (here != 0 && met < k);
     return here == 0 && met == k;
 }

@@ -36,7 +36,7 @@ Outcome<Tour> solve(const Problem& problem, const Options& options, const Progre
     if (!first) return tl::unexpected(first.error());
 
     // A small problem is proven from a short search: most often that leaves nothing to search for.
-    const std::uint64_t some = default_kicks(model->piece_count());
+    const std::uint64_t some = default_moves(model->piece_count());
     const std::uint64_t kicks = options.moves > 0 ? options.moves : some;
     const bool small = model->piece_count() <= most_exact_pieces;
     Searched searched =
