@@ -87,7 +87,8 @@ double join_smallest(const Search& search, Plan& plan, const std::vector<Run>& r
     int best_a = -1, best_b = -1;
     for (const Run& run : runs) {
         if (run.ring != ring) continue;
-        for (int i = 0, place = run.begin; i < run.count; ++i, place = place + 1 == tour.nodes() ? 0 : place + 1) {
+        for (int i = 0, place = run.begin; i < run.count;
+             ++i, place = place + 1 == tour.nodes() ? 0 : place + 1) {
             const int a = tour.node_at(place);
             if (a >= model.loose_from) continue;
             const int mate_a = plan.mate(a);
@@ -96,8 +97,7 @@ double join_smallest(const Search& search, Plan& plan, const std::vector<Run>& r
                 const auto [b, exact, least] = lists.all[at(c)];
                 if (least - link_a >= best) break;
                 const int mate_b = plan.mate(b);
-                const double cost =
-                    tour.gap(a, b) + tour.gap(mate_a, mate_b) - link_a - tour.gap(b, mate_b);
+                const double cost = tour.gap(a, b) + tour.gap(mate_a, mate_b) - link_a - tour.gap(b, mate_b);
                 if (cost >= best || in_ring(tour.place_of(b))) continue;
                 best = cost;
                 best_a = a;
@@ -166,7 +166,8 @@ double take_choices(Search& search, const std::vector<int>& circle, const Sequen
 /// A number for the circle's removed and new links, whatever node it is read from.
 std::uint64_t number_of(const std::vector<int>& circle) {
     const auto mixed = [](int a, int b) {
-        const auto low = static_cast<std::uint64_t>(std::min(a, b)), high = static_cast<std::uint64_t>(std::max(a, b));
+        const auto low = static_cast<std::uint64_t>(std::min(a, b)),
+                   high = static_cast<std::uint64_t>(std::max(a, b));
         std::uint64_t x = (high << 32 | low) + 0x9e3779b97f4a7c15;  // splitmix64 (Steele, Lea, Flood 2014)
         x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
         x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
@@ -181,8 +182,8 @@ std::uint64_t number_of(const std::vector<int>& circle) {
 }
 
 /// The change a circle makes, its rings joined; empty when it cannot be had or loses too much.
-Change assembled(const Search& search, Plan& plan, const std::vector<int>& circle, double& gain,
-                 double loss, std::vector<Run>& runs) {
+Change assembled(const Search& search, Plan& plan, const std::vector<int>& circle, double& gain, double loss,
+                 std::vector<Run>& runs) {
     const Sequence& tour = search.tour;
     gain = 0;
     for (std::size_t i = 0; i < circle.size(); i += 2) {
@@ -219,7 +220,8 @@ double absorb(Search& search, Descent& descent, const Sequence& other, Vain& vai
             still_there = tour.mate(circle[i]) == circle[i + 1];
         if (!still_there) continue;
         const std::uint64_t number = number_of(circle);
-        if (const auto found = vain.find(number); found != vain.end() && found->second >= most_tries) continue;
+        if (const auto found = vain.find(number); found != vain.end() && found->second >= most_tries)
+            continue;
         // Vertices first: the circle's links are measured between them.
         double gain = take_choices(search, circle, other), linked = 0;
         plan.clear();

@@ -15,7 +15,8 @@ using Vain = std::unordered_map<std::uint64_t, int>;
 /// the two; as every node has one link, the circles are unique and have no node in common. Each circle is
 /// tried by itself, in random order: its links are put in, rings that this leaves are joined again where that
 /// costs least, and the tour descends from there; what gains stays. (Edge assembly crossover, Nagata and
-/// Kobayashi, INFORMS Journal on Computing 25, 2013, single circles.) Returns the gain. O(circle + smaller rings) a circle and the nodes moved.
+/// Kobayashi, INFORMS Journal on Computing 25, 2013, single circles.) Returns the gain. O(circle + smaller
+/// rings) a circle and the nodes moved.
 double absorb(Search& search, Descent& descent, const Sequence& other, Vain& vain);
 
 }  // namespace strandline::tour

@@ -11,10 +11,10 @@ inline constexpr std::uint64_t steps_per_move = 30;
 
 struct Budget {
     const Progress& progress;
-    std::uint64_t moves = 0;  ///< allowed, where the progress has no time limit
+    std::uint64_t moves = 0;        ///< allowed, where the progress has no time limit
     std::uint64_t most_visits = 0;  ///< read to see whether rules are kept, at most
-    std::uint64_t steps = 0;  ///< nodes looked at
-    bool stopped = false;     ///< by the caller
+    std::uint64_t steps = 0;        ///< nodes looked at
+    bool stopped = false;           ///< by the caller
 
     /// 0 at the beginning, 1 when all is used up.
     double used() const {

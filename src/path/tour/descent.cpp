@@ -82,13 +82,9 @@ double Descent::run(Move& exchange, bool keep_log) {
     return gain;
 }
 
-double Descent::run() {
-    return run(exchange_, true);
-}
+double Descent::run() { return run(exchange_, true); }
 
-double Descent::run_wide() {
-    return run(wide_exchange_, false);
-}
+double Descent::run_wide() { return run(wide_exchange_, false); }
 
 void Descent::touch_all() {
     for (int place = 0; place < search_.tour.nodes(); ++place)

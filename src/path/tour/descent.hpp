@@ -13,9 +13,7 @@ class Descent {
     /// Counts its steps in `budget`; ends early when the caller stops it, or when too much was read to see
     /// whether rules are kept.
     Descent(Search& search, Budget& budget)
-        : search_(search),
-          budget_(budget),
-          waiting_(static_cast<std::size_t>(search.tour.nodes()), false) {}
+        : search_(search), budget_(budget), waiting_(static_cast<std::size_t>(search.tour.nodes()), false) {}
 
     /// From what was touched until nothing gains; the gain. The caller can take it back.
     double run();

@@ -84,8 +84,8 @@ double choose_vertices_around(Search& search, int piece);
 class Bridge {
   public:
     static constexpr const char* name = "bridge";
-    /// longest_run: pieces in a run at most; strewn: kicks in a hundred whose links are near each other in the
-    /// plane, wherever they are in the order.
+    /// longest_run: pieces in a run at most; strewn: kicks in a hundred whose links are near each other in
+    /// the plane, wherever they are in the order.
     Bridge(int longest_run, int strewn) : longest_run_(longest_run), strewn_(strewn) {}
     /// Picks a place at random; the gain, as a rule below 0.
     double evaluate(Search& search);

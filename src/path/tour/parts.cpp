@@ -39,8 +39,7 @@ std::vector<std::vector<int>> parts_of(const Model& model, int most, double shif
         };
     };
     const auto parts_wanted = at((model.piece_count() + most - 1) / most);
-    const auto columns =
-        static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(parts_wanted))));
+    const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(parts_wanted))));
     const std::size_t rows = (parts_wanted + columns - 1) / columns;
     std::vector<std::vector<int>> parts;
     std::sort(pieces.begin(), pieces.end(), before(true));

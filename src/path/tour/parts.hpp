@@ -17,8 +17,8 @@ std::vector<std::vector<int>> parts_of(const Model& model, int most, double shif
 struct Part {
     Model model;
     Candidates near;
-    std::vector<Visit> order;  ///< the part's share of the order it was cut from
-    std::vector<int> own;      ///< by piece: that of the whole; -1: a stretch
+    std::vector<Visit> order;                    ///< the part's share of the order it was cut from
+    std::vector<int> own;                        ///< by piece: that of the whole; -1: a stretch
     std::vector<std::pair<int, int>> stretches;  ///< by piece: places in the order, first and last; own: none
 };
 /// `pieces` of the whole, in any order. O(n).

@@ -15,7 +15,7 @@ namespace {
 /// Owners in a candidate list.
 constexpr int candidate_count = 8;
 /// Moves when none are asked for: so many a piece up to `all_alike` pieces, then growing slower.
-constexpr double default_moves_a_piece = 30, growth = 0.6;
+constexpr double default_moves_a_piece = 30, growth = 0.3;
 constexpr int all_alike = 1'000;
 constexpr std::uint64_t fewest_default_moves = 16'000;
 /// Small enough that a proof is tried, so a short search will do.
@@ -48,7 +48,8 @@ std::vector<Visit> descended(const Model& model, const Candidates& near, const s
 std::uint64_t default_moves(int pieces) {
     const double n = std::max(pieces, 1);
     if (pieces <= few_pieces) return moves_of_few * static_cast<std::uint64_t>(n);
-    const double moves = default_moves_a_piece * (n <= all_alike ? n : all_alike * std::pow(n / all_alike, growth));
+    const double moves =
+        default_moves_a_piece * (n <= all_alike ? n : all_alike * std::pow(n / all_alike, growth));
     return std::max(fewest_default_moves, static_cast<std::uint64_t>(moves));
 }
 
@@ -63,9 +64,10 @@ Searched improve(const Model& model, const std::vector<Visit>& first, std::uint6
                         std::min(1.0, budget.used()));
     };
     report();
+    // What the descent took is what a member of a population takes, about.
     const double begin = std::min(1.0, budget.used());
     if (model.rules.any || model.piece_count() <= largest_part) {
-        if (!budget.stopped) result.order = bred(model, near, result.order, seed, budget, {begin, 1});
+        if (!budget.stopped) result.order = bred(model, near, result.order, seed, budget, {begin, 1}, begin);
     } else {
         double done = 0;
         for (const double shift : {0.0, second_shift}) {
@@ -73,11 +75,14 @@ Searched improve(const Model& model, const std::vector<Visit>& first, std::uint6
             for (const auto& pieces : parts_of(model, largest_part, shift)) {
                 if (budget.stopped) break;
                 const Part part = part_of(model, near, result.order, pieces);
-                const double end =
-                    done + share * static_cast<double>(pieces.size()) / static_cast<double>(model.piece_count());
+                const double part_share =
+                    static_cast<double>(pieces.size()) / static_cast<double>(model.piece_count());
+                const double end = done + share * part_share;
                 const Span span{budget.used(), begin + (1 - begin) * end};
-                result.order = put_back(model, part, bred(part.model, part.near, part.order, seed, budget, span),
-                                        result.order);
+                result.order =
+                    put_back(model, part,
+                             bred(part.model, part.near, part.order, seed, budget, span, begin * part_share),
+                             result.order);
                 done = end;
                 report();
             }

@@ -39,8 +39,10 @@ Outcome<Tour> solve(const Problem& problem, const Options& options, const Progre
     const std::uint64_t some = default_moves(model->piece_count());
     const std::uint64_t kicks = options.moves > 0 ? options.moves : some;
     const bool small = model->piece_count() <= most_exact_pieces;
+    Progress short_search = progress;
+    if (small) short_search.time_used = {};
     Searched searched =
-        improve(*model, *first, options.seed, small ? std::min(kicks, some) : kicks, progress,
+        improve(*model, *first, options.seed, small ? std::min(kicks, some) : kicks, short_search,
                 options.moves > 0 ? std::numeric_limits<std::uint64_t>::max() : default_visits);
     Tour tour;
     const auto state = [&](const std::vector<Visit>& order) {
@@ -48,16 +50,17 @@ Outcome<Tour> solve(const Problem& problem, const Options& options, const Progre
         tour.length = length_of(problem, tour.steps);
     };
     tour.moves = searched.moves;
-    tour.stopped = searched.stopped;
+    tour.stopped = searched.stopped || (!small && progress.time_used);
     state(searched.order);
     if (!small || tour.stopped) return tour;
     if (const auto proven = prove(*model, searched.order, tour.length, exact_work, progress)) {
         tour.proven_optimal = true;
         state(*proven);
-    } else if (kicks > some) {
-        searched = improve(*model, searched.order, options.seed + 1, kicks - some, progress);
+    } else if (kicks > some || progress.time_used) {
+        searched =
+            improve(*model, searched.order, options.seed + 1, kicks > some ? kicks - some : 0, progress);
         tour.moves += searched.moves;
-        tour.stopped = searched.stopped;
+        tour.stopped = searched.stopped || progress.time_used;
         state(searched.order);
     }
     return tour;

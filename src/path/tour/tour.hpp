@@ -47,19 +47,20 @@ struct Step {
 };
 struct Options {
     std::uint64_t seed = 1;
-    /// budget of kicks; 0: chosen from the size (50 ms at 100 elements, about a second at 1,000)
+    /// budget, about so many kicks with their repairs; 0: chosen from the size (a second at 1,000 elements).
+    /// Progress::time_used, where it is set, takes its place.
     std::uint64_t moves = 0;
 };
 struct Tour {
     std::vector<Step> steps;
     double length = 0;  ///< recounted: start leg, legs between, end leg
     bool proven_optimal = false;
-    std::uint64_t moves = 0;  ///< kicks done
-    bool stopped = false;     ///< progress.stopped() ended it early: the best so far, not reproducible
+    std::uint64_t moves = 0;  ///< of the budget, used
+    bool stopped = false;     ///< ended by progress.stopped() or planned by its time limit: not reproducible
 };
 /// Error: contradictory constraints by name, non-finite points, element without points. Deterministic for
-/// seed and moves, unless stopped (the caller's stopped() holds any time limit: this room reads no clock).
-/// About 5 us a kick, O(n) memory.
+/// seed and moves, unless stopped or within a time limit (the caller's: this room reads no clock). About 30
+/// us a move, O(n) memory.
 Outcome<Tour> solve(const Problem& problem, const Options& options = {}, const Progress& progress = {});
 /// Recount of a given order: Error when it is not valid for the problem (which step, why).
 Outcome<double> recount(const Problem& problem, const std::vector<Step>& steps);
