@@ -124,6 +124,7 @@ std::vector<Visit> bred(const Model& model, const Candidates& near, const std::v
         population.cross(span);
         anneal_on(2, last_annealings, low_heat);
     }
+    if (population.size() == 0) return first;
     search.tour = population.best();
     if (choose_all_vertices(search) > 0) search.touched.clear();
     return search.tour.length() < before ? search.tour.order() : first;
