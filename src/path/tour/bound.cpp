@@ -146,14 +146,19 @@ double Bound::first_leg(int* terminal) const {
 
 double Bound::tree(std::uint64_t mask) const { return spanned(mask, nullptr) - back(mask); }
 
-double Bound::from_option(int option, std::uint64_t mask, double tree_of_mask) const {
-    const double* reach = &reach_[at(option) * at(width_)];
+std::vector<double> Bound::reach(int first, int last) const {
+    std::vector<double> least(at(width_), infinite);
+    for (int o = first; o < last; ++o)
+        for (int t = 0; t < width_; ++t)
+            least[at(t)] = std::min(least[at(t)], reach_[at(o) * at(width_) + at(t)] + price_[at(t)]);
+    return least;
+}
+
+double Bound::first_leg(const std::vector<double>& reach, std::uint64_t mask) const {
     double best = infinite;
     for (int s = 0; s < stops_ - 1; ++s)
-        if (has(mask, s))
-            best =
-                std::min({best, reach[2 * s] + price_[at(2 * s)], reach[2 * s + 1] + price_[at(2 * s + 1)]});
-    return best + tree_of_mask;
+        if (has(mask, s)) best = std::min({best, reach[at(2 * s)], reach[at(2 * s + 1)]});
+    return best;
 }
 
 void Bound::ascend(double upper) {

@@ -41,10 +41,12 @@ class Bound {
     Bound(Route& route, double upper, double tolerance);
     /// No path is shorter than this.
     double root() const { return root_; }
-    /// The part of from_option() that depends on the mask alone. O(stops^2).
+    /// Least cost through every stop in the mask (not empty) to the end, without the first leg. O(stops^2).
     double tree(std::uint64_t mask) const;
-    /// Least cost from the exit of an option through every stop in the mask (not empty) to the end. O(stops).
-    double from_option(int option, std::uint64_t mask, double tree_of_mask) const;
+    /// Least first legs, with prices, from the exits of the options [first, last) to each terminal.
+    std::vector<double> reach(int first, int last) const;
+    /// Least of them that leads into the mask. O(stops).
+    double first_leg(const std::vector<double>& reach, std::uint64_t mask) const;
 
   private:
     double spanned(std::uint64_t mask, std::vector<int>* degrees) const;

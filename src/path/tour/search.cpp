@@ -18,9 +18,9 @@ constexpr int candidate_count = 8;
 constexpr double default_moves_a_piece = 30, growth = 0.3;
 constexpr int all_alike = 1'000;
 constexpr std::uint64_t fewest_default_moves = 16'000;
-/// Small enough that a proof is tried, so a short search will do.
+/// So few find nothing new after `moves_of_few` a piece.
 constexpr int few_pieces = 40;
-constexpr std::uint64_t moves_of_few = 50;
+constexpr std::uint64_t moves_of_few = 100;
 /// Pieces that are worked on together: all members of a population of them stay below 100 MB.
 constexpr int largest_part = 12'000;
 /// The second time the parts are others, for what lay on their edges.

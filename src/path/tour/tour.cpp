@@ -10,8 +10,10 @@
 namespace strandline::tour {
 namespace {
 
-/// Transitions the proof may take: about 50 ms.
-constexpr std::uint64_t exact_work = 500'000;
+/// Legs the proof may look at: half a second; what is hopeless is given up within a tenth.
+constexpr std::uint64_t exact_work = 30'000'000;
+/// A piece. The better the tour, the fewer states a proof meets.
+constexpr std::uint64_t moves_before_proof = 10;
 
 /// Where a drive and its reverse are as long: of the two, the one that begins with the earlier piece. Else
 /// the last digit of a sum would decide, and with it the compiler.
@@ -36,14 +38,16 @@ Outcome<Tour> solve(const Problem& problem, const Options& options, const Progre
     if (!first) return tl::unexpected(first.error());
 
     // A small problem is proven from a short search: most often that leaves nothing to search for.
-    const std::uint64_t some = default_moves(model->piece_count());
-    const std::uint64_t kicks = options.moves > 0 ? options.moves : some;
-    const bool small = model->piece_count() <= most_exact_pieces;
+    const int pieces = model->piece_count();
+    const std::uint64_t moves = options.moves > 0 ? options.moves : default_moves(pieces);
+    const std::uint64_t visits =
+        options.moves > 0 ? std::numeric_limits<std::uint64_t>::max() : default_visits;
+    const bool small = pieces <= most_exact_pieces;
+    const std::uint64_t before_proof =
+        small ? std::min(moves, moves_before_proof * static_cast<std::uint64_t>(std::max(pieces, 1))) : moves;
     Progress short_search = progress;
     if (small) short_search.time_used = {};
-    Searched searched =
-        improve(*model, *first, options.seed, small ? std::min(kicks, some) : kicks, short_search,
-                options.moves > 0 ? std::numeric_limits<std::uint64_t>::max() : default_visits);
+    Searched searched = improve(*model, *first, options.seed, before_proof, short_search, visits);
     Tour tour;
     const auto state = [&](const std::vector<Visit>& order) {
         tour.steps = steps_of(*model, in_first_sense(*model, order));
@@ -56,9 +60,8 @@ Outcome<Tour> solve(const Problem& problem, const Options& options, const Progre
     if (const auto proven = prove(*model, searched.order, tour.length, exact_work, progress)) {
         tour.proven_optimal = true;
         state(*proven);
-    } else if (kicks > some || progress.time_used) {
-        searched =
-            improve(*model, searched.order, options.seed + 1, kicks > some ? kicks - some : 0, progress);
+    } else if (moves > before_proof || progress.time_used) {
+        searched = improve(*model, searched.order, options.seed + 1, moves - before_proof, progress, visits);
         tour.moves += searched.moves;
         tour.stopped = searched.stopped || progress.time_used;
         state(searched.order);
