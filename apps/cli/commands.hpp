@@ -73,6 +73,9 @@ struct TourArguments {
     std::string input, output = "-";
     unsigned long long moves = 0, seed = 1;
     std::string time_limit;  ///< duration text, "" = none
+    std::string method = "best", order = "any";
+    int threads = 1;
+    std::string write_tsplib, read_tour;  ///< files; "" = none
 };
 int tour(const TourArguments& arguments, const Common& common);
 

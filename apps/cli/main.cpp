@@ -150,6 +150,19 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
         ->capture_default_str();
     tour->add_option("--time-limit", t.time_limit,
                      "stop after this CPU time (10s); the answer may differ from run to run");
+    tour->add_option("--method", t.method,
+                     "best; exact: the optimum or an error; nearest, file: without a search, to compare with")
+        ->check(CLI::IsMember({"best", "exact", "nearest", "file"}))
+        ->capture_default_str();
+    tour->add_option("--order", t.order, "grouped: neighbouring elements are finished together")
+        ->check(CLI::IsMember({"any", "grouped"}))
+        ->capture_default_str();
+    tour->add_option("--threads", t.threads, "so many searches at once; the best is taken")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    tour->add_option("--write-tsplib", t.write_tsplib,
+                     "write the problem for another solver (TSPLIB) and do nothing else");
+    tour->add_option("--read-tour", t.read_tour, "instead of searching: the tour that such a solver wrote");
     tour->add_option("--seed", t.seed, "of the search")->check(CLI::NonNegativeNumber)->capture_default_str();
     tour->footer("Example:\n  strandline tour instance.json -o solution.json --time-limit 5s");
     tour->callback([&] { chosen = [&] { return cli::tour(t, common); }; });

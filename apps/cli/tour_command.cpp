@@ -27,7 +27,32 @@ void print_figures(const tour::Tour& tour, const TourArguments& arguments, const
         fmt::print(stderr, "rake up {:.3f}{}, {} elements, {} moves{}\n", tour.length,
                    tour.proven_optimal ? " (proven optimal)" : "", tour.steps.size(), tour.moves,
                    tour.stopped ? ", stopped: another run may differ" : "");
+        if (!tour.groups.empty())
+            fmt::print(stderr, "in {} groups of neighbours: {:.3f} longer than without ({:.1f} %)\n",
+                       tour.groups.size(), tour.length - tour.ungrouped,
+                       tour.ungrouped > 0 ? 100 * (tour.length / tour.ungrouped - 1) : 0);
     }
+}
+
+tour::Method method_of(const std::string& name) {
+    return name == "exact"     ? tour::Method::exact
+           : name == "nearest" ? tour::Method::nearest
+           : name == "file"    ? tour::Method::file
+                               : tour::Method::best;
+}
+
+/// What another solver found, recounted.
+Outcome<tour::Tour> read_tour(const std::string& file, const tour::Problem& problem) {
+    const auto text = read_input(file);
+    if (!text) return tl::unexpected(text.error());
+    auto steps = stages::read_tsplib_tour(*text, file, problem);
+    if (!steps) return tl::unexpected(steps.error());
+    const auto length = tour::recount(problem, *steps);
+    if (!length) return tl::unexpected(length.error());
+    tour::Tour tour;
+    tour.steps = std::move(*steps);
+    tour.length = *length;
+    return tour;
 }
 
 }  // namespace
@@ -47,15 +72,29 @@ int tour(const TourArguments& arguments, const Common& common) {
     if (!instance) return complain(instance.error(), bad_input);
     warn(instance->warnings, common.quiet);
 
-    tour::Options options{.seed = arguments.seed, .moves = arguments.moves};
+    if (!arguments.write_tsplib.empty()) {
+        const auto written = stages::write_tsplib(instance->problem);
+        if (!written) return complain(written.error(), bad_input);
+        if (const auto out = write_output(arguments.write_tsplib, *written); !out)
+            return complain(out.error(), bad_input);
+        return done;
+    }
+
+    const tour::Options options{.method = method_of(arguments.method),
+                                .grouped = arguments.order == "grouped",
+                                .threads = arguments.threads,
+                                .seed = arguments.seed,
+                                .moves = arguments.moves};
     Progress progress = console_progress(common.quiet);
     if (limit > 0) {
-        progress.time_used = [limit] { return cpu_time() / limit; };
-        progress.stopped = [limit, interrupted = progress.stopped] {
-            return interrupted() || cpu_time() >= limit;
+        const double total = limit * arguments.threads;
+        progress.time_used = [total] { return cpu_time() / total; };
+        progress.stopped = [total, interrupted = progress.stopped] {
+            return interrupted() || cpu_time() >= total;
         };
     }
-    const auto tour = tour::solve(instance->problem, options, progress);
+    const auto tour = arguments.read_tour.empty() ? tour::solve(instance->problem, options, progress)
+                                                  : read_tour(arguments.read_tour, instance->problem);
     if (!tour) return complain(tour.error(), bad_input);
     if (const auto written = write_output(arguments.output, stages::write_solution(*tour)); !written)
         return complain(written.error(), bad_input);

@@ -1,4 +1,6 @@
-// Which order keeps all rules: see order.hpp for the words block, item, inside.
+// Whether an order can keep all rules: see order.hpp for the words block, item, inside.
+#include "path/tour/blocks.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,23 +12,6 @@ namespace strandline::tour {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// A chain that leads out of a group, or the inside of a group: its pieces that lie wholly in it.
-struct Item {
-    int piece = -1, group = -1;
-    bool backward = false;
-};
-struct Block {
-    std::vector<Item> items;
-    bool runs[2] = {true, true};  ///< as listed; the other way round
-};
-struct Blocks {
-    std::vector<Block> blocks;
-    std::vector<int> block_of, item_of;      ///< by piece
-    std::vector<std::vector<int>> inside;    ///< by group
-    std::vector<int> block_of_group;         ///< -1: the group lies in a single piece
-    std::vector<std::pair<int, int>> edges;  ///< between blocks
-};
 
 /// Where a chain leads out of groups: the group at its front and at its back, -1 for none.
 struct Border {
@@ -83,7 +68,8 @@ Outcome<std::vector<Border>> find_borders(const Model& model, std::vector<std::v
     return borders;
 }
 
-/// Rows of chains and groups, each from one of its ends.
+}  // namespace
+
 Outcome<Blocks> build_blocks(const Model& model) {
     Blocks all;
     all.inside.resize(model.rules.group_size.size());
@@ -158,6 +144,8 @@ Outcome<Blocks> build_blocks(const Model& model) {
     return all;
 }
 
+namespace {
+
 std::string circle_text(const Problem& problem, const std::vector<std::pair<int, int>>& labels,
                         const std::vector<std::size_t>& circle) {
     std::string text;
@@ -169,6 +157,8 @@ std::string circle_text(const Problem& problem, const std::vector<std::pair<int,
     }
     return text;
 }
+
+}  // namespace
 
 /// Circles among blocks and inside groups; which way each block can be run.
 Outcome<void> check_blocks(const Model& model, Blocks& all) {
@@ -248,155 +238,6 @@ Outcome<void> check_blocks(const Model& model, Blocks& all) {
         return fail("before", circle_text(problem, labels, circle) + ": a circle, given the links and groups",
                     "drop one of them");
     return {};
-}
-
-/// Nearest neighbour over what is ready.
-class Walk {
-  public:
-    Walk(const Model& model, const Blocks& all)
-        : model_(model), all_(all), pending_(model.pieces.size(), 0), after_(model.pieces.size()) {
-        for (const auto& [i, j] : model.rules.before) {
-            const int p = model.piece_of[at(i)], q = model.piece_of[at(j)];
-            if (all.block_of[at(p)] != all.block_of[at(q)]) continue;
-            after_[at(p)].push_back(q);
-            ++pending_[at(q)];
-        }
-        if (model.problem->start)
-            here_ = *model.problem->start;
-        else
-            anywhere_ = true;
-    }
-
-    std::vector<Visit> run() {
-        std::vector<int> waiting(all_.blocks.size(), 0);
-        std::vector<std::vector<int>> next(all_.blocks.size());
-        for (const auto& [b, c] : all_.edges) {
-            next[at(b)].push_back(c);
-            ++waiting[at(c)];
-        }
-        std::vector<int> ready;
-        for (std::size_t b = 0; b < waiting.size(); ++b)
-            if (waiting[b] == 0) ready.push_back(static_cast<int>(b));
-        while (!ready.empty()) {
-            std::size_t best = 0;
-            bool turned = false;
-            double nearest = std::numeric_limits<double>::infinity();
-            for (std::size_t k = 0; k < ready.size(); ++k)
-                for (const bool way : {false, true}) {
-                    const Block& block = all_.blocks[at(ready[k])];
-                    if (!block.runs[way]) continue;
-                    if (const double d = distance_to_block(block, way); d < nearest) {
-                        nearest = d;
-                        best = k;
-                        turned = way;
-                    }
-                }
-            const int b = ready[best];
-            ready.erase(ready.begin() + static_cast<std::ptrdiff_t>(best));
-            run_block(all_.blocks[at(b)], turned);
-            for (const int c : next[at(b)])
-                if (--waiting[at(c)] == 0) ready.push_back(c);
-        }
-        return std::move(order_);
-    }
-
-  private:
-    /// The best way into a piece, forced to one way when `fixed` is +1 or -1.
-    double way_in(int p, int fixed, Visit& visit) const {
-        const Piece& piece = model_.pieces[at(p)];
-        visit = {p, fixed < 0, 0};
-        if (anywhere_) {
-            if (fixed == 0) visit.backward = piece.direction < 0;
-            return static_cast<double>(p);  // no start: in the order of the file
-        }
-        double best = std::numeric_limits<double>::infinity();
-        if (piece.choices > 0) {
-            for (int c = 0; c < piece.choices; ++c)
-                if (const double d = distance(here_, model_.choices[at(piece.first_choice + c)].at);
-                    d < best) {
-                    best = d;
-                    visit.choice = c;
-                }
-            return best;
-        }
-        for (const bool backward : {false, true}) {
-            const int wanted = fixed != 0 ? fixed : piece.direction;
-            if (wanted != 0 && backward != (wanted < 0)) continue;
-            if (const double d = distance(here_, model_.ends[at(2 * p + (backward ? 1 : 0))]); d < best) {
-                best = d;
-                visit.backward = backward;
-            }
-        }
-        return best;
-    }
-
-    int fixed_way(const Block& block, const Item& item, bool turned) const {
-        return block.items.size() == 1 ? 0 : item.backward != turned ? -1 : 1;
-    }
-
-    double distance_to_block(const Block& block, bool turned) const {
-        const Item& item = turned ? block.items.back() : block.items.front();
-        Visit visit;
-        if (item.piece >= 0) return way_in(item.piece, fixed_way(block, item, turned), visit);
-        double nearest = std::numeric_limits<double>::infinity();
-        for (const int p : all_.inside[at(item.group)])
-            if (pending_[at(p)] == 0) nearest = std::min(nearest, way_in(p, 0, visit));
-        return nearest == std::numeric_limits<double>::infinity() ? 0 : nearest;
-    }
-
-    void take(const Visit& visit) {
-        const Piece& piece = model_.pieces[at(visit.piece)];
-        here_ = piece.choices > 0 ? model_.choices[at(piece.first_choice + visit.choice)].at
-                                  : model_.ends[at(2 * visit.piece + (visit.backward ? 0 : 1))];
-        anywhere_ = false;
-        order_.push_back(visit);
-        for (const int q : after_[at(visit.piece)]) --pending_[at(q)];
-    }
-
-    void run_block(const Block& block, bool turned) {
-        for (std::size_t k = 0; k < block.items.size(); ++k) {
-            const Item& item = block.items[turned ? block.items.size() - 1 - k : k];
-            Visit visit;
-            if (item.piece >= 0) {
-                way_in(item.piece, fixed_way(block, item, turned), visit);
-                take(visit);
-                continue;
-            }
-            std::vector<int> left = all_.inside[at(item.group)];
-            while (!left.empty()) {
-                std::size_t best = left.size();
-                double nearest = std::numeric_limits<double>::infinity();
-                for (std::size_t l = 0; l < left.size(); ++l) {
-                    if (pending_[at(left[l])] > 0) continue;
-                    if (const double d = way_in(left[l], 0, visit); d < nearest) {
-                        nearest = d;
-                        best = l;
-                    }
-                }
-                way_in(left[best], 0, visit);
-                take(visit);
-                left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
-            }
-        }
-    }
-
-    const Model& model_;
-    const Blocks& all_;
-    std::vector<int> pending_;
-    std::vector<std::vector<int>> after_;
-    std::vector<Visit> order_;
-    Point here_;
-    bool anywhere_ = false;
-};
-
-}  // namespace
-
-Outcome<std::vector<Visit>> first_order(const Model& model) {
-    if (!model.rules.any) return nearest_order(model);
-    auto blocks = build_blocks(model);
-    if (!blocks) return tl::unexpected(blocks.error());
-    if (const auto sound = check_blocks(model, *blocks); !sound) return tl::unexpected(sound.error());
-    return Walk(model, *blocks).run();
 }
 
 }  // namespace strandline::tour

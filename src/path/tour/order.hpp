@@ -15,6 +15,8 @@ namespace strandline::tour {
 /// to run, the inside of every group is free of circles, and so are the blocks among each other; then nearest
 /// neighbour over what is ready never gets stuck.
 Outcome<std::vector<Visit>> first_order(const Model& model);
+/// The order of the file within the rules, each piece as it is drawn. O(n), with rules O(n^2).
+Outcome<std::vector<Visit>> file_order(const Model& model);
 /// Without rules only: kd-tree, O(n log n).
 std::vector<Visit> nearest_order(const Model& model);
 

@@ -12,8 +12,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int arc_parts = 4;
 /// A matrix of all legs is kept: 128 MB at most.
 constexpr std::size_t most_options = 4'000;
-/// Sets of one size times coarsest arcs, 16 MB; a problem that needs more is not worth going on with.
-constexpr std::size_t most_costs = 2'000'000;
+/// Sets of one size times coarsest arcs, for so much work: 16 MB for the usual one. What needs more is
+/// hopeless.
+constexpr std::uint64_t work_a_cost = 15;
+constexpr std::size_t most_costs = 50'000'000;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -112,6 +114,7 @@ class Programme {
           work_(work),
           progress_(progress) {
         stops_ = static_cast<std::size_t>(std::popcount(route_.all));
+        costs_allowed_ = std::min<std::uint64_t>(most_costs, work.left / work_a_cost);
     }
 
     /// Lowers `upper` to the length of what it finds.
@@ -256,7 +259,7 @@ class Programme {
             costs.clear();
             for (const Mask set : table.layers[layer]) {
                 const Table::Range range = table.states_of(set);
-                if (costs.size() > most_costs) work_.left = 0;
+                if (costs.size() > costs_allowed_) work_.left = 0;
                 if (!spend((range.end - range.begin) * count)) return table;
                 int stop = -1;
                 std::size_t row = 0;
@@ -408,6 +411,7 @@ class Programme {
     Work& work_;
     const Progress& progress_;
     std::size_t stops_;
+    std::size_t costs_allowed_;
     std::vector<double> option_leg_;  ///< option x option
     std::vector<Arc> parents_;        ///< of the level before
 };

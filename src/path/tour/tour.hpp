@@ -45,7 +45,14 @@ struct Step {
     bool reversed = false;
     bool operator==(const Step&) const = default;
 };
+/// best: a search, and a proof where it can be had. exact: the optimum, or an error. The others are what
+/// there is without a search, to compare with: nearest neighbour with reversal, and the order of the file,
+/// each element as it is drawn (as far as the rules allow).
+enum class Method { best, exact, nearest, file };
 struct Options {
+    Method method = Method::best;
+    bool grouped = false;  ///< neighbouring elements are finished together
+    int threads = 1;       ///< so many searches, with seeds from `seed` on; the best is taken
     std::uint64_t seed = 1;
     /// budget, about so many kicks with their repairs; 0: chosen from the size (a second at 1,000 elements).
     /// Progress::time_used, where it is set, takes its place.
@@ -55,12 +62,15 @@ struct Tour {
     std::vector<Step> steps;
     double length = 0;  ///< recounted: start leg, legs between, end leg
     bool proven_optimal = false;
-    std::uint64_t moves = 0;  ///< of the budget, used
-    bool stopped = false;     ///< ended by progress.stopped() or planned by its time limit: not reproducible
+    std::uint64_t moves = 0;               ///< of the budget, used
+    std::vector<std::vector<int>> groups;  ///< grouped: what is finished together, in no certain order
+    double ungrouped = 0;                  ///< grouped: the length without that
+    bool stopped = false;  ///< ended by progress.stopped() or planned by its time limit: not reproducible
 };
-/// Error: contradictory constraints by name, non-finite points, element without points. Deterministic for
-/// seed and moves, unless stopped or within a time limit (the caller's: this room reads no clock). About 30
-/// us a move, O(n) memory.
+/// Error: contradictory constraints by name, non-finite points, element without points; with Method::exact
+/// also where no proof is found within a minute or so. Deterministic for seed, moves and threads, unless
+/// stopped or within a time limit (the caller's: this room reads no clock). About 30 us a move, O(n threads)
+/// memory. The progress is asked by one thread at a time.
 Outcome<Tour> solve(const Problem& problem, const Options& options = {}, const Progress& progress = {});
 /// Recount of a given order: Error when it is not valid for the problem (which step, why).
 Outcome<double> recount(const Problem& problem, const std::vector<Step>& steps);
