@@ -36,7 +36,7 @@ install_packages() {
 }
 
 build_packages=(g++ cmake ninja-build ccache pkg-config libpugixml-dev libpolyclipping-dev libspiro-dev libcgal-dev libboost-dev nlohmann-json3-dev
-    libcli11-dev libtomlplusplus-dev libfmt-dev libexpected-dev libcairo2-dev libpng-dev libjpeg-dev libexif-dev libpotrace-dev libpango1.0-dev hershey-fonts-data)
+    libcli11-dev libtomlplusplus-dev libfmt-dev libexpected-dev libcairo2-dev libpng-dev libjpeg-dev libexif-dev libpotrace-dev libpango1.0-dev libcpp-httplib-dev hershey-fonts-data)
 test_packages=(libgtest-dev librapidcheck-dev clang-format python3 librsvg2-bin fonts-dejavu-core)
 judge_packages=(python3-shapely python3-numpy python3-scipy)
 

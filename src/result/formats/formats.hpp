@@ -18,6 +18,9 @@ std::string write_robot_json(const Robot& robot);
 /// JSON pointer), NaN.
 Outcome<Plan> read_plan(std::string_view text, const std::string& place);
 
+/// The table of settings: a list of {"key", "kind", "unit", "default", "choices" or "low" and "high",
+/// "meaning"}, SI units, an object a line.
+std::string write_settings_json();
 /// The plan file's array "edits" alone: what the editor and its project files hold.
 std::string write_edits(const std::vector<Edit>& edits);
 /// Error: as read_plan; a hint that no element can have.
