@@ -54,7 +54,9 @@ bool is_project_id(std::string_view id) {
 }
 
 std::string project_id_for(const std::string& title) {
-    const std::string stem = title.substr(0, title.rfind('.') == 0 ? title.size() : title.rfind('.'));
+    const std::string name = title.substr(title.find_last_of("/\\") + 1);  // npos + 1 is 0
+    const std::size_t dot = name.rfind('.');
+    const std::string stem = dot == 0 ? name : name.substr(0, dot);
     std::string id;
     for (const char c : stem)
         if (is_id_letter(c))

@@ -14,11 +14,14 @@ Progress patient(Progress progress) {
     return progress;
 }
 
+bool by_hand(const std::vector<Edit>& edits) {
+    return std::ranges::any_of(edits,
+                               [](const Edit& edit) { return std::holds_alternative<DrawEdit>(edit); });
+}
+
 Outcome<Drawing> drawn(const Read& read, const Robot& robot, const DrawingOptions& options,
                        const std::vector<Edit>& edits, const Progress& progress) {
-    const bool by_hand =
-        std::ranges::any_of(edits, [](const Edit& edit) { return std::holds_alternative<DrawEdit>(edit); });
-    if (by_hand && read.document.shapes.empty()) {
+    if (by_hand(edits) && read.document.shapes.empty()) {
         Drawing bare;
         bare.canvas = options.canvas;
         return bare;
@@ -86,7 +89,9 @@ Outcome<Plan> Planner::plan(const Source& source, const Robot& robot, const Opti
     pipeline::ReadKey read_key{std::string(source.bytes), options.trace,       options.text,
                                options.ink.invert,        options.drawing.dpi, robot};
     if (!kept_->read || kept_->read_key != read_key) {
-        auto document = read_source(source, options, pipeline::patient(progress));
+        auto document = source.bytes.empty() && pipeline::by_hand(edits)
+                            ? Outcome<svg::Document>(svg::Document{})
+                            : read_source(source, options, pipeline::patient(progress));
         if (!document) return tl::unexpected(document.error());
         kept_->read = pipeline::without_wrong_hints(std::move(*document), robot);
         kept_->read_key = std::move(read_key);

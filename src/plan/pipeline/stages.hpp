@@ -12,6 +12,8 @@ struct Read {
 };
 
 Outcome<DrawingOptions> drawing_options(const Options& options);
+/// Whether lines are drawn by hand.
+bool by_hand(const std::vector<Edit>& edits);
 /// The drawing before any edit. A file without shapes gives a bare one where lines are drawn by hand.
 Outcome<Drawing> drawn(const Read& read, const Robot& robot, const DrawingOptions& options,
                        const std::vector<Edit>& edits, const Progress& progress);
