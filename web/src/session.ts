@@ -12,6 +12,8 @@ export interface SessionState {
   drive: Drive | null
   samples: Samples
   report: Report | null
+  /** Revision of the project that the plan shown was made from. */
+  planned: number
   planning: boolean
   progress: ProgressEvent | null
   failure: Failure | null
@@ -26,6 +28,7 @@ export const session = new Store<SessionState>({
   drive: null,
   samples: noSamples,
   report: null,
+  planned: 0,
   planning: false,
   progress: null,
   failure: null,
@@ -34,7 +37,8 @@ export const session = new Store<SessionState>({
 })
 
 let events: EventSource | null = null
-let tags = { drawing: '', drive: '', samples: '', report: '' }
+const noTags = { revision: 0, drawing: '', drive: '', samples: '', report: '' }
+let tags = noTags
 let queue: Promise<unknown> = Promise.resolve()
 
 /** One after the other: edits name the revision that the one before gave. */
@@ -72,10 +76,10 @@ async function takePlan(id: string, plan: StandingEvent['plan']): Promise<void> 
     plan.drive === tags.drive ? session.now.drive : api.drive(id),
     plan.samples === tags.samples ? session.now.samples : api.samples(id).then(readSamples),
   ])
-  const report = plan.report === '' || plan.report === tags.report ? session.now.report : await api.report(id)
+  const report = plan.report === '' ? null : plan.report === tags.report ? session.now.report : await api.report(id)
   if (id !== projectId()) return
-  tags = { ...plan, report: plan.report || tags.report }
-  session.set({ drawing, drive, samples, report })
+  tags = plan
+  session.set({ drawing, drive, samples, report, planned: plan.revision })
 }
 
 async function heard(id: string, event: StandingEvent): Promise<void> {
@@ -102,8 +106,8 @@ function listen(id: string): void {
 }
 
 export async function openProject(id: string): Promise<void> {
-  tags = { drawing: '', drive: '', samples: '', report: '' }
-  session.set({ drawing: null, drive: null, samples: noSamples, report: null, progress: null, failure: null })
+  tags = noTags
+  session.set({ drawing: null, drive: null, samples: noSamples, report: null, planned: 0, progress: null, failure: null })
   await refreshStanding(id)
   const url = new URL(location.href)
   url.searchParams.set('project', id)

@@ -2,7 +2,7 @@ import type { Drive, Report } from '../api/client'
 import { session } from '../session'
 import { useStore } from '../store'
 import { view } from '../view'
-import { duration, metres, percent } from './words'
+import { area, duration, metres, percent } from './words'
 
 type Show = (x: number, y: number) => void
 
@@ -56,14 +56,14 @@ function findings(drive: Drive, report: Report | null, show: Show, ids: Set<stri
   for (const blemish of report?.blemishes ?? [])
     list.push({
       kind: 'blemish',
-      text: blemish.crossings > 0 ? `${blemish.crossings} finished line${blemish.crossings > 1 ? 's' : ''} crossed` : `${blemish.area.toFixed(3)} m² of finished sand driven over`,
+      text: blemish.crossings > 0 ? `${blemish.crossings} finished line${blemish.crossings > 1 ? 's' : ''} crossed` : `${area(blemish.area)} of finished sand driven over`,
       jump: () => {
         view.set({ time: blemish.t, playing: false })
         show(blemish.x, blemish.y)
       },
     })
   for (const spot of drive.bare)
-    list.push({ kind: 'bare', text: `${spot.amount.toFixed(3)} m² of ${spot.what} stay bare`, jump: () => show(spot.at[0], spot.at[1]) })
+    list.push({ kind: 'bare', text: `${area(spot.amount)} of ${spot.what} stay bare`, jump: () => show(spot.at[0], spot.at[1]) })
   return list
 }
 

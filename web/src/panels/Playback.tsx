@@ -78,7 +78,7 @@ export function Playback() {
       </span>
       <label class="speed">
         <span class="wide">Speed</span>
-        <select value={speed} onChange={(event) => view.set({ speed: +event.currentTarget.value })}>
+        <select value={speed} aria-label="Speed" onChange={(event) => view.set({ speed: +event.currentTarget.value })}>
           {[1, 5, 20, 60, 200].map((factor) => (
             <option value={factor}>{factor}×</option>
           ))}

@@ -25,7 +25,7 @@ function Menu({ label, icon, children }: { label: string; icon: string; children
   }, [open])
   return (
     <div class="menu" ref={box}>
-      <button class="plain" aria-expanded={open} onClick={() => setOpen(!open)}>
+      <button class="plain" aria-label={label} aria-expanded={open} onClick={() => setOpen(!open)}>
         <Icon name={icon} />
         <span class="wide">{label}</span>
       </button>
@@ -139,7 +139,7 @@ function ShowMenu() {
     </label>
   )
   return (
-    <Menu label="Show" icon="fit">
+    <Menu label="Show" icon="eye">
       {() => (
         <div>
           <div class="caption">Connections</div>

@@ -5,6 +5,8 @@ export function duration(seconds: number): string {
   return `${Math.floor(whole / 60)} min ${String(whole % 60).padStart(2, '0')} s`
 }
 export const metres = (value: number) => `${value.toFixed(value < 10 ? 2 : 1)} m`
+/** Small areas in square centimetres. */
+export const area = (value: number) => (value < 0.1 ? `${(1e4 * value).toFixed(0)} cm²` : `${value.toFixed(2)} m²`)
 export const percent = (share: number) => `${(100 * share).toFixed(1)} %`
 /** "fill.min_area" -> "min area". */
 export const spoken = (key: string) => key.slice(key.indexOf('.') + 1).replaceAll('_', ' ')
