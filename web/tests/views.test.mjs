@@ -137,6 +137,7 @@ test('every setting of the API stands in the panel, with help; one can be set an
     await width.press('Enter')
   })
   assert.equal(Number(now.settings['canvas.width']), 16)
+  await page.locator('summary').filter({ hasText: 'Robot' }).click()
   now = await edited(page, () => page.selectOption('#set-robot', 'turf'))
   assert.equal(now.robot.name, 'turf')
   await page.click('role=tab[name="Changes"]')

@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks'
 import type { ComponentChildren } from 'preact'
 import { api } from '../api/client'
-import { newSketch, notify, openFile, openProject, projectId, redo, session, undo } from '../session'
+import { newSketch, notify, openFile, openProject, projectId, redo, replaceDrawing, session, undo } from '../session'
 import { useStore } from '../store'
 import { view } from '../view'
 import type { ViewState } from '../view'
@@ -34,36 +34,64 @@ function Menu({ label, icon, children }: { label: string; icon: string; children
   )
 }
 
-function ProjectMenu() {
+function ProjectList({ close }: { close: () => void }) {
   const [projects, setProjects] = useState<string[]>([])
+  useEffect(() => {
+    api
+      .projects()
+      .then((list) => setProjects(list.projects.map((p) => p.id)))
+      .catch((error: Error) => notify(error.message))
+  }, [])
+  if (projects.length < 2) return null
+  return (
+    <>
+      <div class="caption">In this folder</div>
+      {projects.map((id) => (
+        <button
+          class="row"
+          aria-current={id === projectId()}
+          onClick={() => {
+            openProject(id).catch((error: Error) => notify(error.message))
+            close()
+          }}
+        >
+          {id}
+        </button>
+      ))}
+    </>
+  )
+}
+
+function FileRow({ label, take, close }: { label: string; take: (file: File) => unknown; close: () => void }) {
   const file = useRef<HTMLInputElement>(null)
+  return (
+    <>
+      <button class="row" onClick={() => file.current?.click()}>
+        {label} …
+      </button>
+      <input
+        ref={file}
+        type="file"
+        hidden
+        aria-label={label}
+        accept=".svg,.png,.jpg,.jpeg,.strandline"
+        onChange={(event) => {
+          const chosen = event.currentTarget.files?.[0]
+          if (chosen) take(chosen)
+          close()
+        }}
+      />
+    </>
+  )
+}
+
+function ProjectMenu() {
   return (
     <Menu label="Project" icon="open">
       {(close) => (
-        <div
-          ref={(element) => {
-            if (element && projects.length === 0)
-              api
-                .projects()
-                .then((list) => setProjects(list.projects.map((p) => p.id)))
-                .catch((error: Error) => notify(error.message))
-          }}
-        >
-          <button class="row" onClick={() => file.current?.click()}>
-            Open a drawing, picture or project …
-          </button>
-          <input
-            ref={file}
-            type="file"
-            hidden
-            aria-label="Open a drawing, picture or project"
-            accept=".svg,.png,.jpg,.jpeg,.strandline"
-            onChange={(event) => {
-              const chosen = event.currentTarget.files?.[0]
-              if (chosen) void openFile(chosen)
-              close()
-            }}
-          />
+        <div>
+          <FileRow label="Open a drawing, picture or project" take={openFile} close={close} />
+          <FileRow label="Put another drawing in this project's place" take={replaceDrawing} close={close} />
           <button
             class="row"
             onClick={() => {
@@ -76,20 +104,7 @@ function ProjectMenu() {
           <a class="row" href={api.fileUrl(projectId())} download onClick={close}>
             Save a copy of the project
           </a>
-          {projects.length > 1 && <div class="caption">In this folder</div>}
-          {projects.length > 1 &&
-            projects.map((id) => (
-              <button
-                class="row"
-                aria-current={id === projectId()}
-                onClick={() => {
-                  openProject(id).catch((error: Error) => notify(error.message))
-                  close()
-                }}
-              >
-                {id}
-              </button>
-            ))}
+          <ProjectList close={close} />
         </div>
       )}
     </Menu>
