@@ -228,20 +228,21 @@ export function paintWheels(ctx: Ctx, tracks: Tracks, box: Box): void {
   })
 }
 
-/** Crosses where a law is broken, rings where finished ground is driven over, squares where sand stays bare. */
-export function paintFaults(ctx: Ctx, report: Report | null, drive: Drive, camera: Camera): void {
+/** What has happened by then (null: by the end). Crosses where a law is broken, rings where finished ground is driven over, squares where sand stays bare. */
+export function paintFaults(ctx: Ctx, report: Report | null, drive: Drive, camera: Camera, until: { time: number; sample: number } | null): void {
   const mark = (x: number, y: number) => ({ x: camera.x + x * camera.scale, y: camera.y - y * camera.scale })
-  ctx.lineWidth = 2
+  ctx.lineWidth = 1.7
   ctx.strokeStyle = palette.blemish
   for (const blemish of report?.blemishes ?? []) {
+    if (until && blemish.t > until.time) continue
     const p = mark(blemish.x, blemish.y)
     ctx.beginPath()
-    ctx.arc(p.x, p.y, 7, 0, 2 * Math.PI)
+    ctx.arc(p.x, p.y, 5.5, 0, 2 * Math.PI)
     ctx.stroke()
   }
-  for (const spot of drive.bare) {
+  for (const spot of until ? [] : drive.bare) {
     const p = mark(spot.at[0], spot.at[1])
-    ctx.strokeRect(p.x - 5, p.y - 5, 10, 10)
+    ctx.strokeRect(p.x - 4.5, p.y - 4.5, 9, 9)
   }
   ctx.strokeStyle = palette.fault
   ctx.lineWidth = 2.5
@@ -254,8 +255,8 @@ export function paintFaults(ctx: Ctx, report: Report | null, drive: Drive, camer
     ctx.lineTo(p.x - 6, p.y + 6)
     ctx.stroke()
   }
-  for (const fault of report?.faults ?? []) cross(fault.x, fault.y)
-  for (const spot of drive.undrivable) cross(spot.at[0], spot.at[1])
+  for (const fault of report?.faults ?? []) if (!until || fault.sample <= until.sample) cross(fault.x, fault.y)
+  for (const spot of until ? [] : drive.undrivable) cross(spot.at[0], spot.at[1])
 }
 
 /** The robot to scale: footprint, wheels, the bar and which of its pins are down. */

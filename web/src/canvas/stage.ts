@@ -218,7 +218,9 @@ export class Stage {
       if (view.now.robot) paint.paintRobot(ctx, samples, drive, view.now.time === null ? 0 : this.lastSample, this.camera.scale)
       paint.inPixels(ctx, this.ratio)
       this.paintEnds(ctx)
-      if (view.now.faults) paint.paintFaults(ctx, report, drive, this.camera)
+      const { time } = view.now
+      const until = time === null ? null : { time, sample: this.lastSample }
+      if (view.now.faults) paint.paintFaults(ctx, report, drive, this.camera, until)
     }
     paint.inPixels(ctx, this.ratio)
     this.overlay?.(ctx, this)

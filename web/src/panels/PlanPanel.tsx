@@ -2,7 +2,7 @@ import type { Drive, Report } from '../api/client'
 import { session } from '../session'
 import { useStore } from '../store'
 import { view } from '../view'
-import { area, duration, metres, percent } from './words'
+import { area, counted, duration, metres, percent } from './words'
 
 type Show = (x: number, y: number) => void
 
@@ -12,13 +12,13 @@ function Summary({ drive, report }: { drive: Drive; report: Report | null }) {
     ['Time', duration(f.time)],
     ['Drawn', metres(f.drawn)],
     ['Rake up', `${metres(f.up_driven + f.loops_driven)} driven, ${metres(f.up_straight)} straight`],
-    ['Elements', `${f.lines} lines, ${f.regions} areas; ${f.strokes} strokes`],
+    ['Elements', `${counted(f.lines, 'line')}, ${counted(f.regions, 'area')}; ${counted(f.strokes, 'stroke')}`],
   ]
   if (f.regions > 0 && report) {
     rows.push(['Coverage', `${percent(report.coverage)} of the areas`])
     rows.push(['Raked twice', `${percent(report.overdraw)}; ${percent(report.spill)} outside`])
   }
-  if (report) rows.push(['Blemish', `${report.crossings} lines crossed, ${report.driven_over.toFixed(2)} m² driven over`])
+  if (report) rows.push(['Blemish', `${counted(report.crossings, 'line')} crossed, ${report.driven_over.toFixed(2)} m² driven over`])
   return (
     <dl class="summary">
       {rows.map(([name, value]) => (
@@ -56,7 +56,7 @@ function findings(drive: Drive, report: Report | null, show: Show, ids: Set<stri
   for (const blemish of report?.blemishes ?? [])
     list.push({
       kind: 'blemish',
-      text: blemish.crossings > 0 ? `${blemish.crossings} finished line${blemish.crossings > 1 ? 's' : ''} crossed` : `${area(blemish.area)} of finished sand driven over`,
+      text: blemish.crossings > 0 ? `${counted(blemish.crossings, 'finished line')} crossed` : `${area(blemish.area)} of finished sand driven over`,
       jump: () => {
         view.set({ time: blemish.t, playing: false })
         show(blemish.x, blemish.y)
@@ -94,7 +94,7 @@ export function PlanPanel({ show }: { show: Show }) {
     <div>
       <Summary drive={drive} report={report} />
       <h2>
-        {report ? (report.sound ? 'Checked: sound' : `Checked: ${report.faults.length} faults`) : 'Being checked'}
+        {report ? (report.sound ? 'Checked: sound' : `Checked: ${counted(report.faults.length, 'fault')}`) : 'Being checked'}
       </h2>
       {list.length === 0 && <p class="quiet">Nothing to remark.</p>}
       <ul class="findings">

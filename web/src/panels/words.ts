@@ -10,3 +10,4 @@ export const area = (value: number) => (value < 0.1 ? `${(1e4 * value).toFixed(0
 export const percent = (share: number) => `${(100 * share).toFixed(1)} %`
 /** "fill.min_area" -> "min area". */
 export const spoken = (key: string) => key.slice(key.indexOf('.') + 1).replaceAll('_', ' ')
+export const counted = (n: number, word: string) => `${n} ${word}${n === 1 ? '' : 's'}`
