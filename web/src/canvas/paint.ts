@@ -5,7 +5,7 @@ import { grown, overlaps } from './camera'
 import type { Box, Camera, Point } from './camera'
 import { orderColour, palette, sandTile } from './palette'
 import type { Run, Track, Tracks } from './tracks'
-import { barTrack, pinOffsets } from './tracks'
+import { barTrack, detailAt, pinOffsets } from './tracks'
 
 export type Ctx = CanvasRenderingContext2D
 
@@ -98,10 +98,11 @@ export class Shapes {
       return { path, box }
     })
   }
-  paint(ctx: Ctx, box: Box, scale: number): void {
+  /** Lines only where asked for: what is drawn lies over them. */
+  paint(ctx: Ctx, box: Box, scale: number, lines: boolean): void {
     ctx.lineWidth = 1 / scale
     this.drawing.elements.forEach((element, i) => {
-      if (!overlaps(this.tracks[i].box, box)) return
+      if ((!lines && element.kind === 'line') || !overlaps(this.tracks[i].box, box)) return
       if (element.kind === 'region') {
         ctx.fillStyle = palette.area
         ctx.fill(this.tracks[i].path, 'evenodd')
@@ -120,17 +121,19 @@ const whole = (run: Run, span: Span) => run.first >= span.from && run.last <= sp
 const meets = (run: Run, span: Span) => run.first < span.to && run.last > span.from
 
 function part(tracks: Tracks, run: Run, span: Span, offset: number): Track {
-  return barTrack(tracks.samples, Math.max(run.first, span.from), Math.min(run.last, span.to), offset)
+  return barTrack(tracks.samples, Math.max(run.first, span.from), Math.min(run.last, span.to), offset, 0)
 }
 
 /** Rake down as lines `pixels` wide. */
 export function paintOutline(ctx: Ctx, tracks: Tracks, box: Box, scale: number, span: Span, colours: boolean): void {
   ctx.lineWidth = 2 / scale
-  ctx.lineJoin = ctx.lineCap = 'round'
+  ctx.lineJoin = 'bevel' // at two pixels nobody sees the difference
+  ctx.lineCap = 'butt'
+  const detail = detailAt(scale)
   const last = Math.max(1, tracks.drive.strokes.length - 1)
   tracks.runs.forEach((run, i) => {
     if (run.mask === 0 || !meets(run, span)) return
-    const track = whole(run, span) ? tracks.middle(i) : part(tracks, run, span, 0)
+    const track = whole(run, span) ? tracks.middle(i, detail) : part(tracks, run, span, 0)
     if (!overlaps(track.box, box)) return
     ctx.strokeStyle = colours ? orderColour(run.stroke / last) : palette.ink
     ctx.stroke(track.path)
@@ -142,15 +145,16 @@ export function paintGrooves(ctx: Ctx, tracks: Tracks, box: Box, camera: Camera,
   const { pitch } = tracks
   const scale = camera.scale
   const fine = pitch * scale > 2.2
+  const detail = detailAt(scale)
   const reach = grown(box, pitch)
   const last = Math.max(1, tracks.drive.strokes.length - 1)
   ctx.lineJoin = 'round'
   ctx.lineCap = 'butt'
   tracks.runs.forEach((run, i) => {
     if (run.mask === 0 || !meets(run, span)) return
-    const middle = tracks.middle(i)
+    const middle = tracks.middle(i, detail)
     if (!overlaps(middle.box, grown(reach, tracks.pins * pitch))) return
-    const pins = whole(run, span) ? tracks.pinTracks(i) : pinsOf(tracks, run, span)
+    const pins = whole(run, span) ? tracks.pinTracks(i, detail) : pinsOf(tracks, run, span)
     const stroke = (width: number, style: string, shift: number) => {
       ctx.lineWidth = Math.max(width, 0.6 / scale)
       ctx.strokeStyle = style
@@ -186,6 +190,7 @@ function arrowHead(path: Path2D, at: Point, way: number, size: number): void {
 export function paintConnections(ctx: Ctx, tracks: Tracks, box: Box, scale: number, span: Span, simple: boolean): void {
   const s = tracks.samples
   const size = 6 / scale
+  const detail = detailAt(scale)
   ctx.lineCap = 'round'
   ctx.strokeStyle = palette.trip
   ctx.fillStyle = palette.trip
@@ -204,7 +209,7 @@ export function paintConnections(ctx: Ctx, tracks: Tracks, box: Box, scale: numb
       arrowHead(heads, { x: ax + 0.6 * (bx - ax), y: ay + 0.6 * (by - ay) }, Math.atan2(by - ay, bx - ax), size)
       return
     }
-    const track = whole(run, span) ? tracks.middle(i) : part(tracks, run, span, 0)
+    const track = whole(run, span) ? tracks.middle(i, detail) : part(tracks, run, span, 0)
     if (!overlaps(track.box, box)) return
     ctx.setLineDash([5 / scale, 4 / scale])
     ctx.stroke(track.path)

@@ -181,7 +181,7 @@ export class Stage {
     paint.inMetres(ctx, this.camera, this.ratio)
     const box = this.box
     if (grid && !realistic) paint.paintGrid(ctx, box, this.camera.scale)
-    if (this.shapes && !realistic) this.shapes.paint(ctx, box, this.camera.scale)
+    if (this.shapes && !realistic) this.shapes.paint(ctx, box, this.camera.scale, view.now.time !== null || !this.tracks)
     this.playedTo = this.lastSample
     this.paintDrive(ctx, { from: 0, to: this.playedTo })
     this.lastRedraw = performance.now() - begun

@@ -23,8 +23,14 @@ export function pinOffsets(mask: number, pins: number, pitch: number): number[] 
   return offsets
 }
 
-/** Track of the point of the bar that is `offset` left of its middle. Points that bend it by less than a hair are left out. */
-export function barTrack(s: Samples, first: number, last: number, offset: number): Track {
+/** Metres that nobody sees at that scale: under a pixel, a power of two, so that few levels are kept. */
+export const detailAt = (scale: number) => 2 ** Math.floor(Math.log2(0.9 / scale))
+
+/**
+ * Track of the point of the bar that is `offset` left of its middle. Points that bend it by less than a hair, or are
+ * nearer than `detail` to the one before, are left out.
+ */
+export function barTrack(s: Samples, first: number, last: number, offset: number, detail: number): Track {
   const path = new Path2D()
   const box = emptyBox()
   const turn = 0.01
@@ -41,7 +47,7 @@ export function barTrack(s: Samples, first: number, last: number, offset: number
       const way = Math.atan2(y - keptY, x - keptX)
       const bend = Math.abs(Math.atan2(Math.sin(way - keptWay), Math.cos(way - keptWay)))
       const far = Math.hypot(x - keptX, y - keptY)
-      if (i < last && i > first + 1 && bend < turn && far < stretch) continue
+      if (i < last && (far < detail || (i > first + 1 && bend < turn && far < stretch))) continue
       path.lineTo(x, y)
       keptWay = way
     }
@@ -67,12 +73,23 @@ export function bodyTrack(s: Samples, first: number, last: number, ahead: number
   return { path, box }
 }
 
+const mostLevels = 4
+
+function level<T>(levels: Map<number, (T | undefined)[]>, detail: number): (T | undefined)[] {
+  let kept = levels.get(detail)
+  if (!kept) {
+    if (levels.size >= mostLevels) levels.delete(levels.keys().next().value!)
+    levels.set(detail, (kept = []))
+  }
+  return kept
+}
+
 export class Tracks {
   readonly runs: Run[]
   readonly pins: number
   readonly pitch: number
-  private middles: (Track | undefined)[] = []
-  private grooves: (Track[] | undefined)[] = []
+  private middles = new Map<number, (Track | undefined)[]>()
+  private grooves = new Map<number, (Track[] | undefined)[]>()
   private wheels: Track[] | undefined
 
   constructor(
@@ -85,14 +102,15 @@ export class Tracks {
   }
 
   /** Track of the rake's middle. */
-  middle(run: number): Track {
+  middle(run: number, detail: number): Track {
     const { first, last } = this.runs[run]
-    return (this.middles[run] ??= barTrack(this.samples, first, last, 0))
+    return (level(this.middles, detail)[run] ??= barTrack(this.samples, first, last, 0, detail))
   }
   /** Track of each pin that is down. */
-  pinTracks(run: number): Track[] {
+  pinTracks(run: number, detail: number): Track[] {
     const { first, last, mask } = this.runs[run]
-    return (this.grooves[run] ??= pinOffsets(mask, this.pins, this.pitch).map((o) => barTrack(this.samples, first, last, o)))
+    const track = (offset: number) => barTrack(this.samples, first, last, offset, detail)
+    return (level(this.grooves, detail)[run] ??= pinOffsets(mask, this.pins, this.pitch).map(track))
   }
   /** Tracks of all wheels, run by run. */
   wheelTracks(): Track[] {
