@@ -117,11 +117,16 @@ int serve(const ServeArguments& arguments, const Common& common) {
     const bool built = fs::exists(fs::path(web) / "index.html", code);
     if (!built) fmt::print(stderr, "note: the editor's pages are not built ({}); ./run builds them\n", web);
     const auto listening = [&](int port) {
-        const std::string host = arguments.host == "127.0.0.1" ? "localhost" : arguments.host;
+        // What listens everywhere is here by this name; others use the machine's address.
+        const bool here = arguments.host == "127.0.0.1" || arguments.host == "0.0.0.0";
+        const std::string host = here ? "localhost" : arguments.host;
         const std::string token = arguments.token.empty() ? "" : "&token=" + arguments.token;
         fmt::print(common.json ? stderr : stdout, "http://{}:{}/?project={}{}\n", host, port, *first, token);
         if (common.json) fmt::print("{{\"port\":{},\"project\":\"{}\"}}\n", port, *first);
         std::fflush(stdout);
+        if (arguments.host == "0.0.0.0" && !common.quiet)
+            fmt::print(stderr, "from other machines: http://THIS-MACHINE'S-ADDRESS:{}/?token={}\n", port,
+                       arguments.token);
     };
     const auto ended = [&] {
         int which = 0;

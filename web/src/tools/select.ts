@@ -6,8 +6,9 @@ import { Tool } from './tool'
 export class SelectTool extends Tool {
   readonly name = 'select'
   hint(): string {
-    return view.now.selected
-      ? 'Delete erases it; Escape lets go. What it is to be stands on the right.'
+    if (view.now.selected) return 'Delete erases it, Escape lets go. What it is to be stands in the panel.'
+    return matchMedia('(pointer: coarse)').matches
+      ? 'Tap an element. Two fingers move and zoom.'
       : 'Click an element. Right-drag or space-drag moves the view, the wheel zooms, 0 shows all.'
   }
   down(at: Stroke): void {
