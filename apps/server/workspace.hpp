@@ -52,8 +52,8 @@ struct Standing {
     std::string title;
     State state;
     std::vector<std::string> undo, redo;  ///< what each step does, the next one last
-    bool planning = false;
-    std::optional<Error> failure;  ///< of the newest planning
+    bool planning = false;                ///< `planned` is not the last word: of another revision, or a draft
+    std::optional<Error> failure;         ///< of the newest planning
     std::shared_ptr<const Planned> planned;
 };
 
@@ -82,7 +82,8 @@ class Workspace {
 
   private:
     void plan_anew(const State& state, long long revision);
-    void publish(std::shared_ptr<Planned> planned);
+    bool plan_and_publish(const State& state, long long revision, const std::atomic<bool>& stop, bool draft);
+    bool publish(std::shared_ptr<Planned> planned, bool draft);
 
     const std::string id_, program_;
     const Folder folder_;
