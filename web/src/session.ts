@@ -85,7 +85,9 @@ async function takePlan(id: string, plan: StandingEvent['plan']): Promise<void> 
 async function heard(id: string, event: StandingEvent): Promise<void> {
   if (id !== projectId()) return
   session.set({ planning: event.planning, failure: event.failure ?? null, progress: event.planning ? session.now.progress : null })
-  if (event.revision !== session.now.standing?.revision) await refreshStanding(id)
+  const { standing } = session.now
+  if (event.revision !== standing?.revision) await refreshStanding(id)
+  else session.set({ standing: { ...standing, planning: event.planning, failure: event.failure, plan: event.plan } })
   await takePlan(id, event.plan)
 }
 
