@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <optional>
 
+#include "plan/pipeline/hints.hpp"
+
 namespace strandline::pipeline {
 namespace {
 
@@ -92,7 +94,8 @@ std::string text(const NodeName& name) { return fmt::format("node {} of \"{}\"",
 
 }  // namespace
 
-std::vector<std::string> apply_to_drawing(Drawing& drawing, const std::vector<Edit>& edits) {
+std::vector<std::string> apply_to_drawing(Drawing& drawing, const std::vector<Edit>& edits,
+                                          const Robot& robot) {
     std::vector<std::string> idle;
     for (const Edit& edit : edits)
         if (const auto* drawn = std::get_if<DrawEdit>(&edit)) draw(drawing, *drawn);
@@ -102,6 +105,8 @@ std::vector<std::string> apply_to_drawing(Drawing& drawing, const std::vector<Ed
         const auto index = element_named(drawing, hint->element);
         if (!index)
             idle.push_back(fmt::format("{}: \"{}\" is not in the drawing", hint->name, hint->element));
+        else if (const auto fine = valid_for({hint->name, hint->value}, robot); !fine)
+            idle.push_back(sentence(fine.error()));
         else if (hint->name == "pause")
             idle.push_back(fmt::format("pause: \"{}\": stops belong to layers", hint->element));
         else

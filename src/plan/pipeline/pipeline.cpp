@@ -202,7 +202,7 @@ Outcome<void> valid(const Options& options, const Robot& robot) {
 Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::string& title,
                                 const Robot& robot, const Options& options, const std::vector<Edit>& edits,
                                 KeptStrokes& kept, const Progress& progress) {
-    std::vector<std::string> idle = pipeline::apply_to_drawing(drawing, edits);
+    std::vector<std::string> idle = pipeline::apply_to_drawing(drawing, edits, robot);
     pipeline::Strokes strokes = pipeline::strokes_of(drawing, robot, options, kept, patient(progress));
     if (strokes.groups.empty()) {
         Error error{title, "nothing of the drawing can be raked at this size",

@@ -226,7 +226,10 @@ Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& op
         if (work.group.work.strokes.empty()) continue;
         strokes.groups.push_back(numbered(work.group, static_cast<int>(i)));
     }
-    for (const Warning& warning : unserved.warnings()) fall_back(warning.place, warning.reason);
+    for (const Warning& warning : unserved.warnings()) {
+        ++strokes.fallbacks;
+        strokes.warnings.push_back(warning);
+    }
     for (const Warning& warning : spacings.warnings()) strokes.warnings.push_back(warning);
     progress.report("filling", 1);
     return strokes;
