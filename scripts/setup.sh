@@ -49,7 +49,7 @@ build_web() {
     install_packages web "${web_packages[@]}"
     cd "$root/web" || die "there is no web/"
     lock=$(sha256sum package-lock.json)
-    if [ ! -d node_modules ] || [ "$(cat "$root/build/.web-packages" 2>/dev/null)" != "$lock" ]; then
+    if [ ! -x node_modules/.bin/vite ] || [ "$(cat "$root/build/.web-packages" 2>/dev/null)" != "$lock" ]; then
         say "installing what builds the editor's pages"
         npm ci --no-audit --no-fund >"$log" 2>&1 || { tail -n 10 "$log" >&2; die "npm ci failed; the whole log is in $log"; }
         printf '%s' "$lock" >"$root/build/.web-packages"
