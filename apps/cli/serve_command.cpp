@@ -79,7 +79,9 @@ Outcome<std::string> first_project(serve::Api& api, const ServeArguments& argume
         return there.empty() ? api.create("sketch", "") : Outcome<std::string>(there.front());
     }
     const fs::path input = fs::absolute(arguments.input);
-    if (input.extension() == ".strandline" && fs::equivalent(input.parent_path(), api.folder().path())) {
+    std::error_code code;
+    if (input.extension() == ".strandline" &&
+        fs::equivalent(input.parent_path(), api.folder().path(), code)) {
         const auto opened = api.workspace(input.stem().string());
         if (!opened) return tl::unexpected(opened.error());
         return (*opened)->id();

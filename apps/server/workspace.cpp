@@ -56,8 +56,8 @@ Workspace::Workspace(std::string id, Project project, Folder folder, std::string
       folder_(std::move(folder)),
       project_(std::move(project)),
       planner_(std::make_unique<Planner>()),
-      planning_thread_(std::make_unique<Latest>()),
-      proving_thread_(std::make_unique<Latest>()) {
+      proving_thread_(std::make_unique<Latest>()),
+      planning_thread_(std::make_unique<Latest>()) {
     // A project that was read has a state: read_project() made sure.
     state_ = *state_of(project_);
     plan_anew(state_, project_.revision);

@@ -95,7 +95,8 @@ class Workspace {
     std::shared_ptr<const Planned> planned_;
     Hub hub_;
     std::unique_ptr<Planner> planner_;
-    std::unique_ptr<Latest> planning_thread_, proving_thread_;  // last: they use all of the above
+    // Last: they use all of the above. Planning gives proving its work, so it is ended first.
+    std::unique_ptr<Latest> proving_thread_, planning_thread_;
 };
 
 }  // namespace strandline::serve

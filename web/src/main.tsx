@@ -9,7 +9,10 @@ import { TopBar } from './panels/TopBar'
 import { begin, notify, openFile, session } from './session'
 import { Toolbox } from './tools/tools'
 import { view } from './view'
-import './style.css'
+import './style/page.css'
+import './style/desk.css'
+import './style/panel.css'
+import './style/playback.css'
 
 function App() {
   const host = useRef<HTMLDivElement>(null)

@@ -38,7 +38,7 @@ for (const [name, size, options] of [
     assert.ok(!wider, 'nothing is wider than the page')
     await page.evaluate(() => window.strandline.view.set({ tab: 'plan', tool: 'select', selected: '', panelOpen: window.innerWidth > 720 }))
     await page.waitForTimeout(250)
-    if (pictures && name !== 'laptop') await page.screenshot({ path: join(pictures, `editor-${name}.png`) })
+    if (pictures && name === 'tablet') await page.screenshot({ path: join(pictures, `editor-${name}.png`) })
     await page.context().close()
   })
 

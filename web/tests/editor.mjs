@@ -57,7 +57,7 @@ export function settled(page, revision = 0) {
       return s.failure !== null || (s.report !== null && s.planned === s.standing.revision)
     },
     revision,
-    { timeout: 15000 },
+    { timeout: 60000 },
   )
 }
 

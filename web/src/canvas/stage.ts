@@ -8,6 +8,7 @@ import { view } from '../view'
 import { fitted, toWorld, visible } from './camera'
 import type { Box, Camera, Point } from './camera'
 import { Picking } from './picking'
+import * as marks from './marks'
 import * as paint from './paint'
 import { palette } from './palette'
 import { Tracks } from './tracks'
@@ -215,17 +216,17 @@ export class Stage {
     this.paintMarked(ctx)
     if (drive && samples.count > 0) {
       paint.inMetres(ctx, this.camera, this.ratio)
-      if (view.now.robot) paint.paintRobot(ctx, samples, drive, view.now.time === null ? 0 : this.lastSample, this.camera.scale)
+      if (view.now.robot) marks.paintRobot(ctx, samples, drive, view.now.time === null ? 0 : this.lastSample, this.camera.scale)
       paint.inPixels(ctx, this.ratio)
       this.paintEnds(ctx)
       const { time } = view.now
       const until = time === null ? null : { time, sample: this.lastSample }
-      if (view.now.faults) paint.paintFaults(ctx, report, drive, this.camera, until)
+      if (view.now.faults) marks.paintFaults(ctx, report, drive, this.camera, until)
     }
     paint.inPixels(ctx, this.ratio)
     this.overlay?.(ctx, this)
     paint.inPixels(ctx, this.ratio)
-    if (view.now.grid) paint.paintRuler(ctx, this.camera, this.width, this.height)
+    if (view.now.grid) marks.paintRuler(ctx, this.camera, this.width, this.height)
   }
 
   /** The element that is selected, and the one under the pointer. */
