@@ -189,6 +189,7 @@ std::string standing_text(const Workspace& workspace) {
     return text_of({{"id", workspace.id()},
                     {"title", now.title},
                     {"revision", now.revision},
+                    {"news", now.news},
                     {"source", now.state.source ? now.state.source->title : ""},
                     {"robot_name", now.state.robot_name},
                     {"robot", Json::parse(formats::write_robot_json(now.state.robot))},

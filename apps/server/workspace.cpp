@@ -67,7 +67,8 @@ Workspace::~Workspace() { hub_.close(); }
 
 Standing Workspace::standing() const {
     const std::lock_guard lock(mutex_);
-    Standing standing{project_.revision, project_.title, state_, {}, {}, planning_, failure_, planned_};
+    Standing standing{project_.revision, news_,    project_.title, state_, {}, {},
+                      planning_,         failure_, planned_};
     for (std::size_t i = 0; i < project_.steps.size(); ++i)
         if (i < project_.done) standing.undo.push_back(project_.steps[i].what);
     for (std::size_t i = project_.steps.size(); i > project_.done; --i)
@@ -100,9 +101,16 @@ Event Workspace::standing_event() const {
                  {"samples", planned_->samples.tag},
                  {"report", planned_->report.tag}};
     return {"standing", line_of({{"revision", project_.revision},
+                                 {"news", news_},
                                  {"planning", planning_},
                                  {"failure", failure_ ? json_of(*failure_) : Json()},
                                  {"plan", std::move(parts)}})};
+}
+
+/// One at a time: what is told last is what holds.
+void Workspace::tell_standing() {
+    const std::lock_guard lock(telling_);
+    hub_.tell(standing_event());
 }
 
 Outcome<long long> Workspace::change(long long revision, const Edited& change) {
@@ -121,9 +129,10 @@ Outcome<long long> Workspace::change(long long revision, const Edited& change) {
         project_ = std::move(changed);
         state_ = std::move(*state);
         revision = project_.revision;
+        ++news_;
         plan_anew(state_, revision);
     }
-    hub_.tell(standing_event());
+    tell_standing();
     return revision;
 }
 
@@ -164,9 +173,10 @@ bool Workspace::plan_and_publish(const State& state, long long revision, const s
             const std::lock_guard lock(mutex_);
             if (revision != project_.revision) return false;
             planning_ = false;
+            ++news_;
             failure_ = plan.error();
         }
-        hub_.tell(standing_event());
+        tell_standing();
         return false;
     }
     plan->program = program_;
@@ -184,10 +194,11 @@ bool Workspace::publish(std::shared_ptr<Planned> planned, bool draft) {
         const std::lock_guard lock(mutex_);
         if (planned->revision != project_.revision) return false;
         planning_ = draft;
+        ++news_;
         failure_.reset();
         planned_ = planned;
     }
-    hub_.tell(standing_event());
+    tell_standing();
     if (draft) return true;
     proving_thread_->want([this, planned](const std::atomic<bool>& stop) {
         const check::Report report = check::prove(*planned->plan);
@@ -198,8 +209,9 @@ bool Workspace::publish(std::shared_ptr<Planned> planned, bool draft) {
             const std::lock_guard lock(mutex_);
             if (planned_ != planned) return;
             planned_ = std::move(proved);
+            ++news_;
         }
-        hub_.tell(standing_event());
+        tell_standing();
     });
     return true;
 }

@@ -49,6 +49,7 @@ struct Planned {
 /// What a client needs to know before it asks for more.
 struct Standing {
     long long revision = 0;
+    long long news = 0;  ///< grows whenever any of this changes: of two, the greater is the newer
     std::string title;
     State state;
     std::vector<std::string> undo, redo;  ///< what each step does, the next one last
@@ -84,10 +85,13 @@ class Workspace {
     void plan_anew(const State& state, long long revision);
     bool plan_and_publish(const State& state, long long revision, const std::atomic<bool>& stop, bool draft);
     bool publish(std::shared_ptr<Planned> planned, bool draft);
+    void tell_standing();
 
     const std::string id_, program_;
     const Folder folder_;
     mutable std::mutex mutex_;
+    std::mutex telling_;  ///< taken before mutex_
+    long long news_ = 0;
     Project project_;
     State state_;
     bool planning_ = false;

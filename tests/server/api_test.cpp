@@ -168,6 +168,33 @@ TEST_F(ApiTest, ALinkOutOfTheFolderIsNotFollowed) {
     EXPECT_TRUE(ask("GET", "projects")["projects"].empty());
 }
 
+TEST_F(ApiTest, WhatIsToldLastIsWhatHolds) {
+    const std::string id = begin();
+    const auto workspace = api.workspace(id).value();
+    const auto listener = workspace->hub().listen();
+    const auto edit_many = [&] {
+        for (int i = 0; i < 60; ++i)
+            static_cast<void>(workspace->change(workspace->standing().revision, [&](Project& project) {
+                return take_step(project, {"", {EditChange{HintEdit{"line", "pins", "1"}}}});
+            }));
+    };
+    std::thread other(edit_many);
+    edit_many();
+    other.join();
+    settled(id);
+    long long news = 0;
+    std::string last;
+    while (const auto event = listener->next(std::chrono::milliseconds(100))) {
+        if (event->name != "standing") continue;
+        const long long here = Json::parse(event->data)["news"];
+        EXPECT_GE(here, news);
+        news = here;
+        last = event->data;
+    }
+    EXPECT_EQ(last, workspace->standing_event().data);
+    EXPECT_EQ(ask("GET", "projects/" + id)["news"], news);
+}
+
 TEST_F(ApiTest, ManyEditsInARowEndWithThePlanOfTheLast) {
     const std::string id = begin();
     for (int i = 1; i <= 40; ++i)

@@ -39,6 +39,10 @@ export const session = new Store<SessionState>({
 let events: EventSource | null = null
 const noTags = { revision: 0, drawing: '', drive: '', samples: '', report: '' }
 let tags = noTags
+/** Number of the newest answer or event taken over; answers overtake one another on their way. */
+let newest = 0
+/** The project that is open or being opened. */
+let current = ''
 let queue: Promise<unknown> = Promise.resolve()
 
 /** One after the other: edits name the revision that the one before gave. */
@@ -63,7 +67,10 @@ export function projectId(): string {
 }
 
 async function refreshStanding(id: string): Promise<Standing> {
-  const standing = await api.standing(id)
+  let standing = await api.standing(id)
+  while (id === current && standing.news < newest) standing = await api.standing(id)
+  if (id !== current) return standing
+  newest = standing.news
   session.set({ standing, planning: standing.planning, failure: standing.failure ?? null })
   return standing
 }
@@ -77,13 +84,14 @@ async function takePlan(id: string, plan: StandingEvent['plan']): Promise<void> 
     plan.samples === tags.samples ? session.now.samples : api.samples(id).then(readSamples),
   ])
   const report = plan.report === '' ? null : plan.report === tags.report ? session.now.report : await api.report(id)
-  if (id !== projectId()) return
+  if (id !== current) return
   tags = plan
   session.set({ drawing, drive, samples, report, planned: plan.revision })
 }
 
 async function heard(id: string, event: StandingEvent): Promise<void> {
-  if (id !== projectId()) return
+  if (id !== current || event.news < newest) return
+  newest = event.news
   session.set({ planning: event.planning, failure: event.failure ?? null, progress: event.planning ? session.now.progress : null })
   const { standing } = session.now
   if (event.revision !== standing?.revision) await refreshStanding(id)
@@ -95,20 +103,27 @@ function listen(id: string): void {
   events?.close()
   events = new EventSource(api.eventsUrl(id))
   let last: Promise<void> = Promise.resolve()
-  let newest = 0
+  let turns = 0
   events.addEventListener('standing', (message) => {
-    const turn = ++newest
+    const turn = ++turns
     const event = JSON.parse(message.data) as StandingEvent
     // The newest says all there is: those it overtook need not be fetched.
-    last = last.then(() => (turn === newest ? heard(id, event) : undefined)).catch(() => undefined)
+    last = last.then(() => (turn === turns ? heard(id, event) : undefined)).catch(() => undefined)
   })
   events.addEventListener('progress', (message) => session.set({ progress: JSON.parse(message.data) as ProgressEvent }))
   events.onopen = () => session.set({ online: true })
-  events.onerror = () => session.set({ online: false })
+  events.onerror = () => {
+    // The next one that answers may be another server, which counts from the beginning.
+    newest = 0
+    session.set({ online: false })
+  }
 }
 
 export async function openProject(id: string): Promise<void> {
+  events?.close()
+  current = id
   tags = noTags
+  newest = 0
   session.set({ drawing: null, drive: null, samples: noSamples, report: null, planned: 0, progress: null, failure: null })
   await refreshStanding(id)
   const url = new URL(location.href)

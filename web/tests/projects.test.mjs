@@ -72,6 +72,22 @@ test('two tabs show the same project; a stale edit is taken up again', async () 
   await other.context().close()
 })
 
+test('an answer that was overtaken by a newer event does not take its place', async () => {
+  // What the server said while it was planning comes when it has long been done.
+  let held = 0
+  await page.route(/projects\/drawing$/, async (route) => {
+    if (route.request().method() !== 'GET' || held > 0) return route.continue()
+    held++
+    const response = await route.fetch()
+    await page.waitForFunction(() => window.strandline.session.now.report !== null && !window.strandline.session.now.planning, null, { timeout: 2000 }).catch(() => {})
+    await new Promise((done) => setTimeout(done, 1500))
+    await route.fulfill({ response })
+  })
+  await eraseMast(page)
+  assert.equal(held, 1)
+  assert.equal(await page.evaluate(() => window.strandline.session.now.planning), false)
+})
+
 test('SVG and PNG are opened and dropped, each a project of its own', async () => {
   const svg = join(root, 'drawings/hello.svg')
   await page.click('text=Project')
