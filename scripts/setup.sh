@@ -36,9 +36,32 @@ install_packages() {
 }
 
 build_packages=(g++ cmake ninja-build ccache pkg-config libpugixml-dev libpolyclipping-dev libspiro-dev libcgal-dev libboost-dev nlohmann-json3-dev
-    libcli11-dev libtomlplusplus-dev libfmt-dev libexpected-dev libcairo2-dev libpng-dev libjpeg-dev libexif-dev libpotrace-dev libpango1.0-dev hershey-fonts-data)
+    libcli11-dev libtomlplusplus-dev libfmt-dev libexpected-dev libcairo2-dev libpng-dev libjpeg-dev libexif-dev libpotrace-dev libpango1.0-dev libcpp-httplib-dev hershey-fonts-data)
+# Node.js and npm build the editor's pages: what is on PATH is used, and installed only where nothing is.
+if command -v node >/dev/null && command -v npm >/dev/null; then web_packages=(); else web_packages=(nodejs npm); fi
+browser_packages=(chromium)
 test_packages=(libgtest-dev librapidcheck-dev clang-format python3 librsvg2-bin fonts-dejavu-core)
 judge_packages=(python3-shapely python3-numpy python3-scipy)
+
+# The editor's pages, into web/dist: built when there are none or their sources have changed.
+build_web() {
+    local log="$root/build/web.log" lock sources
+    install_packages web "${web_packages[@]}"
+    cd "$root/web" || die "there is no web/"
+    lock=$(sha256sum package-lock.json)
+    if [ ! -x node_modules/.bin/vite ] || [ "$(cat "$root/build/.web-packages" 2>/dev/null)" != "$lock" ]; then
+        say "installing what builds the editor's pages"
+        npm ci --no-audit --no-fund >"$log" 2>&1 || { tail -n 10 "$log" >&2; die "npm ci failed; the whole log is in $log"; }
+        printf '%s' "$lock" >"$root/build/.web-packages"
+    fi
+    sources=$(find src public index.html package.json tsconfig.json vite.config.ts -type f ! -name schema.d.ts -exec sha256sum {} + | sort | sha256sum)
+    if [ ! -f dist/index.html ] || [ "$(cat "$root/build/.web-sources" 2>/dev/null)" != "$sources" ]; then
+        say "building the editor's pages"
+        npm run build >"$log" 2>&1 || { grep -v '^npm' "$log" | tail -n 20 >&2; die "building the editor failed; the whole log is in $log"; }
+        printf '%s' "$sources" >"$root/build/.web-sources"
+    fi
+    cd "$OLDPWD" || die "cannot go back"
+}
 
 # build PRESET TARGET...: configured once; ninja does the rest and is quick when nothing changed.
 build() {

@@ -102,4 +102,12 @@ struct ConvertArguments {
 };
 int convert(const ConvertArguments& arguments, const Common& common);
 
+struct ServeArguments {
+    std::string input;   ///< a drawing, a project, or nothing
+    std::string folder;  ///< of projects; "": the input's own
+    std::string host = "127.0.0.1", token, web;
+    int port = 8014;
+};
+int serve(const ServeArguments& arguments, const Common& common);
+
 }  // namespace strandline::cli

@@ -60,24 +60,6 @@ std::string fonts_folder() {
 constexpr const char* how_to_get_fonts =
     "install the package hershey-fonts-data, or set STRANDLINE_FONTS to a folder of .jhf files";
 
-Outcome<lettering::Font> font_named(const std::string& name) {
-    if (name.ends_with(".jhf")) {
-        const auto bytes = read_input(name);
-        if (!bytes) return tl::unexpected(bytes.error());
-        return lettering::read_font(*bytes, name);
-    }
-    const auto fonts = installed_fonts();
-    if (!fonts) return tl::unexpected(fonts.error());
-    if (std::ranges::find(*fonts, name, &FontEntry::name) == fonts->end()) {
-        std::string names;
-        for (const FontEntry& font : *fonts) names += (names.empty() ? "" : ", ") + font.name;
-        return fail("--font " + name, "there is no such font in " + fonts_folder(), "use one of " + names);
-    }
-    const auto bytes = read_input((fs::path(fonts_folder()) / (name + ".jhf")).string());
-    if (!bytes) return tl::unexpected(bytes.error());
-    return lettering::read_font(*bytes, name);
-}
-
 /// \n is a newline and \\ a backslash, for shells in which a newline is hard to type.
 std::string unescaped(const std::string& typed) {
     std::string text;
@@ -130,6 +112,24 @@ Outcome<std::vector<FontEntry>> installed_fonts() {
     if (fonts.empty()) return fail(folder, "the Hershey fonts are not there", how_to_get_fonts);
     std::ranges::sort(fonts, {}, &FontEntry::name);
     return fonts;
+}
+
+Outcome<lettering::Font> font_named(const std::string& name) {
+    if (name.ends_with(".jhf")) {
+        const auto bytes = read_input(name);
+        if (!bytes) return tl::unexpected(bytes.error());
+        return lettering::read_font(*bytes, name);
+    }
+    const auto fonts = installed_fonts();
+    if (!fonts) return tl::unexpected(fonts.error());
+    if (std::ranges::find(*fonts, name, &FontEntry::name) == fonts->end()) {
+        std::string names;
+        for (const FontEntry& font : *fonts) names += (names.empty() ? "" : ", ") + font.name;
+        return fail("--font " + name, "there is no such font in " + fonts_folder(), "use one of " + names);
+    }
+    const auto bytes = read_input((fs::path(fonts_folder()) / (name + ".jhf")).string());
+    if (!bytes) return tl::unexpected(bytes.error());
+    return lettering::read_font(*bytes, name);
 }
 
 Outcome<svg::Document> lettered(const LetteringArguments& arguments) {

@@ -14,6 +14,8 @@ struct FontEntry {
 /// Those in the folder of hershey-fonts-data, or in $STRANDLINE_FONTS, by name. Error: the folder is not
 /// there, or holds none.
 Outcome<std::vector<FontEntry>> installed_fonts();
+/// One of those, or a .jhf file. Error: it is not there, or is no font.
+Outcome<lettering::Font> font_named(const std::string& name);
 /// The drawing that the arguments ask for. Error: the font is not there, the text is not understood, a wrong
 /// option.
 Outcome<svg::Document> lettered(const LetteringArguments& arguments);

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <type_traits>
-#include <variant>
 
 #include "arguments.hpp"
 #include "base/units/units.hpp"
@@ -23,24 +21,6 @@ void print_list(const std::vector<std::string>& items) {
     fmt::print("[");
     for (std::size_t i = 0; i < items.size(); ++i) fmt::print("{}{}", i > 0 ? ",\n" : "\n", items[i]);
     fmt::print("\n]\n");
-}
-
-/// In SI units, as plans and programs hold it.
-Json json_of(const Setting& setting, Options defaults) {
-    const std::string unit = setting.kind == Kind::length     ? "m"
-                             : setting.kind == Kind::angle    ? "rad"
-                             : setting.kind == Kind::duration ? "s"
-                                                              : "";
-    Json json{{"key", setting.key}, {"kind", name_of(setting.kind)}, {"unit", unit}};
-    std::visit([&](const auto* value) { json["default"] = *value; }, setting.field(defaults));
-    if (setting.kind == Kind::choice) {
-        json["choices"] = setting.choices;
-    } else if (setting.kind != Kind::flag && setting.kind != Kind::text) {
-        json["low"] = setting.low;
-        json["high"] = setting.high;
-    }
-    json["meaning"] = setting.meaning;
-    return json;
 }
 
 /// In the units that people write.
@@ -83,15 +63,12 @@ int list_formats(const Common& common) {
 }
 
 int list_settings(const Common& common) {
-    const Options defaults;
-    std::vector<std::string> items;
-    for (const Setting& setting : settings()) {
-        if (common.json)
-            items.push_back(json_of(setting, defaults).dump());
-        else
-            print_setting(setting, defaults);
+    if (common.json) {
+        fmt::print("{}\n", formats::write_settings_json());
+        return done;
     }
-    if (common.json) print_list(items);
+    const Options defaults;
+    for (const Setting& setting : settings()) print_setting(setting, defaults);
     return done;
 }
 

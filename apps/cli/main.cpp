@@ -219,6 +219,29 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     convert->callback([&] { chosen = [&] { return cli::convert(v, common); }; });
 }
 
+#ifdef STRANDLINE_EDITOR
+void add_serve(CLI::App& app, ServeArguments& a, const Common& common, std::function<int()>& chosen) {
+    CLI::App* serve =
+        app.add_subcommand("serve", "opens the editor: see the drive and change it, in the browser");
+    serve->add_option("input", a.input,
+                      "drawing (SVG, PNG, JPEG) or project (.strandline); none: begin with bare sand");
+    serve->add_option("--port", a.port, "of the address that is printed; 0: any that is free")
+        ->check(CLI::Range(0, 65535))
+        ->capture_default_str();
+    serve->add_option("--folder", a.folder, "where projects are kept; default: beside the input, or here");
+    serve->add_option("--host", a.host, "0.0.0.0 lets tablets on the network in; needs --token")
+        ->capture_default_str();
+    serve->add_option("--token", a.token, "what who opens the editor has to know");
+    serve->add_option("--web", a.web, "folder of the editor's built pages; default: where ./run built them");
+    serve->footer(R"(Every change is kept in NAME.strandline as it is made; Ctrl-C ends the server.
+Examples:
+  strandline serve lion.svg
+  strandline serve lion.strandline --port 9000
+  strandline serve --folder ~/beach --host 0.0.0.0 --token sand)");
+    serve->callback([&] { chosen = [&] { return cli::serve(a, common); }; });
+}
+#endif
+
 /// What is wrong with the call, and where its help is.
 Error misread(const CLI::App& app, int argc, char** argv, const CLI::ParseError& error) {
     const std::string first = argc > 1 ? argv[1] : "";
@@ -283,6 +306,10 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     robots->footer(
         "With --json: a robot as in a plan file (docs/plan-format.md); without a name a list of them.");
     robots->callback([&] { chosen = [&] { return show_robot(robot, common); }; });
+#ifdef STRANDLINE_EDITOR
+    ServeArguments served;
+    add_serve(app, served, common, chosen);
+#endif
     add_stages(app, tour, fill, connect, convert, common, chosen);
 
     try {

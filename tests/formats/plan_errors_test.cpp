@@ -153,5 +153,22 @@ TEST(PlanErrors, AnInjuredFileGivesAPlanOrOneErrorAndNeverACrash) {
     }));
 }
 
+TEST(PlanErrors, AnEditThatCannotBeIsRefusedWithItsPlace) {
+    const auto refusal = [](const std::string& edits) {
+        const auto read = formats::read_edits(edits, "body");
+        return read ? std::string() : sentence(read.error());
+    };
+    EXPECT_EQ(refusal(formats::write_edits(sample_plan().edits)), "");
+    EXPECT_SAYS(refusal(R"([{"edit":"jump"}])"), "body/0/edit: \"jump\" is no edit");
+    EXPECT_SAYS(refusal(R"([{"edit":"hint","element":"a","name":"colour","value":"red"}])"), "no such hint");
+    EXPECT_SAYS(refusal(R"([{"edit":"hint","element":"a","name":"pins","value":"none"}])"), "pins");
+    EXPECT_SAYS(refusal(R"([{"edit":"order","elements":[1]}])"), "body/0/elements/0");
+    EXPECT_SAYS(refusal(R"([{"edit":"draw","element":"a","paths":[],"pins":1,"smooth":0}])"), "without");
+    EXPECT_SAYS(refusal(R"([{"edit":"draw","element":"a","paths":[["M",1,1]],"pins":1,"smooth":0}])"),
+                "body/0/paths/0: a path without a segment");
+    EXPECT_SAYS(refusal(R"([{"edit":"draw","element":"a","paths":[["M",1,1,"L",2,2]],"pins":0,"smooth":0}])"),
+                "one pin");
+}
+
 }  // namespace
 }  // namespace strandline

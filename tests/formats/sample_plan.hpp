@@ -72,8 +72,12 @@ inline Plan sample_plan() {
     plan.robot.rake_rules = {{0, 0}, {1, 1}, {3, 3}, {5, 5}, {8, 7}};
     plan.options.fill.style = "zigzag";
     plan.options.place.rotate = 0.1;
-    plan.edits = {LinkEdit{{"first", -1}, {"second", 0}}, EntryEdit{{"first", 0}},
-                  DirectionEdit{"second", "backward"}};
+    plan.edits = {LinkEdit{{"first", -1}, {"second", 0}},
+                  EntryEdit{{"first", 0}},
+                  DirectionEdit{"second", "backward"},
+                  HintEdit{"first", "pins", "3"},
+                  OrderEdit{{"second", "first"}},
+                  DrawEdit{"pen", {path_through({{0.5, 1.25}, {3, 4}, {5, 4.125}}, false)}, 2, 0.03}};
     plan.idle_edits = {"entry of #gone, node 3"};
 
     Drawing& drawing = plan.drawing;

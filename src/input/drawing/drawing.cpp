@@ -23,6 +23,8 @@ double length(const Element& element) {
                            [](double sum, const Polygon& hole) { return sum + perimeter(hole); });
 }
 
+Path drawn_by_hand(const Path& path, double tolerance) { return drawing_parts::smoothed(path, tolerance); }
+
 const std::string* value_of(const std::vector<svg::Hint>& hints, std::string_view name) {
     const auto found = std::ranges::find(hints, name, &svg::Hint::name);
     return found == hints.end() ? nullptr : &found->value;

@@ -43,6 +43,9 @@ Box bounds(const Element& element);
 /// Drawn length of a line; perimeter of a region.
 double length(const Element& element);
 
+/// A line drawn by hand as smooth curves that leave it by at most `tolerance` metres (> 0).
+Path drawn_by_hand(const Path& path, double tolerance);
+
 /// nullptr: there is no hint of that name.
 const std::string* value_of(const std::vector<svg::Hint>& hints, std::string_view name);
 

@@ -152,7 +152,27 @@ struct DirectionEdit {
     std::string element, direction;  ///< forward | backward | ccw | cw
     bool operator==(const DirectionEdit&) const = default;
 };
-using Edit = std::variant<LinkEdit, EntryEdit, DirectionEdit>;
+/// What a rule or an attribute of the file may ask (valid(svg::Hint)), for one element; later ones win, over
+/// the file's too. "ink" = "off" takes the element out of the drawing, from under others it stays cut out.
+struct HintEdit {
+    std::string element, name, value;
+    bool operator==(const HintEdit&) const = default;
+};
+/// Elements in the order in which they are driven; the others come where they fit. Goes before inner first.
+struct OrderEdit {
+    std::vector<std::string> elements;
+    bool operator==(const OrderEdit&) const = default;
+};
+/// Lines drawn by hand on the canvas, metres. The first is the element of that id, the next are ID/2, ID/3
+/// ...
+struct DrawEdit {
+    std::string element;
+    std::vector<Path> paths;
+    int pins = 1;
+    double smooth = 0;  ///< metres: as smooth curves within this; 0: as they are
+    bool operator==(const DrawEdit&) const = default;
+};
+using Edit = std::variant<LinkEdit, EntryEdit, DirectionEdit, HintEdit, OrderEdit, DrawEdit>;
 
 // ---- the plan
 

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <optional>
+
+#include "plan/pipeline/hints.hpp"
 
 namespace strandline::pipeline {
 namespace {
@@ -41,9 +44,79 @@ std::optional<Found> find(const order::Job& job, const NodeName& name) {
     return name.node == 0 ? std::optional(Found{*group, 0}) : std::nullopt;
 }
 
+std::optional<std::size_t> element_named(const Drawing& drawing, const std::string& id) {
+    const auto found = std::ranges::find(drawing.elements, id, &Element::id);
+    if (found == drawing.elements.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - drawing.elements.begin());
+}
+
+void draw(Drawing& drawing, const DrawEdit& edit) {
+    for (std::size_t i = 0; i < edit.paths.size(); ++i) {
+        const Path& path = edit.paths[i];
+        Element element;
+        element.id = i == 0 ? edit.element : fmt::format("{}/{}", edit.element, i + 1);
+        element.what = LineElement{edit.smooth > 0 ? drawn_by_hand(path, edit.smooth) : path, edit.pins};
+        drawing.elements.push_back(std::move(element));
+    }
+}
+
+/// What it encloses is then enclosed by what encloses it.
+void erase(Drawing& drawing, std::size_t index) {
+    const int gone = static_cast<int>(index), outer = drawing.elements[index].inside;
+    for (Element& element : drawing.elements)
+        if (element.inside == gone) element.inside = outer;
+    for (Element& element : drawing.elements)
+        if (element.inside > gone) --element.inside;
+    drawing.elements.erase(drawing.elements.begin() + gone);
+}
+
+void ask(Drawing& drawing, std::size_t index, const HintEdit& edit) {
+    Element& element = drawing.elements[index];
+    std::erase_if(element.hints, [&](const svg::Hint& hint) { return hint.name == edit.name; });
+    const auto place = std::ranges::lower_bound(element.hints, edit.name, {}, &svg::Hint::name);
+    element.hints.insert(place, {edit.name, edit.value});
+    if (auto* line = std::get_if<LineElement>(&element.what); line && edit.name == "pins")
+        line->pins = std::atoi(edit.value.c_str());
+}
+
+/// Elements in the order wished for; what encloses what no longer decides between them.
+void keep_order(order::Job& job, const std::vector<int>& wished) {
+    std::vector<std::size_t> place(job.groups.size(), wished.size());
+    for (std::size_t i = 0; i < wished.size(); ++i) place[static_cast<std::size_t>(wished[i])] = i;
+    const auto rank = [&](int group) { return place[static_cast<std::size_t>(group)]; };
+    std::erase_if(job.before, [&](const std::pair<int, int>& pair) {
+        return rank(pair.first) < wished.size() && rank(pair.second) < wished.size();
+    });
+    for (std::size_t i = 1; i < wished.size(); ++i) job.before.emplace_back(wished[i - 1], wished[i]);
+}
+
 std::string text(const NodeName& name) { return fmt::format("node {} of \"{}\"", name.node, name.element); }
 
 }  // namespace
+
+std::vector<std::string> apply_to_drawing(Drawing& drawing, const std::vector<Edit>& edits,
+                                          const Robot& robot) {
+    std::vector<std::string> idle;
+    for (const Edit& edit : edits)
+        if (const auto* drawn = std::get_if<DrawEdit>(&edit)) draw(drawing, *drawn);
+    for (const Edit& edit : edits) {
+        const auto* hint = std::get_if<HintEdit>(&edit);
+        if (!hint) continue;
+        const auto index = element_named(drawing, hint->element);
+        if (!index)
+            idle.push_back(fmt::format("{}: \"{}\" is not in the drawing", hint->name, hint->element));
+        else if (const auto fine = valid_for({hint->name, hint->value}, robot); !fine)
+            idle.push_back(sentence(fine.error()));
+        else if (hint->name == "pause")
+            idle.push_back(fmt::format("pause: \"{}\": stops belong to layers", hint->element));
+        else
+            ask(drawing, *index, *hint);
+    }
+    for (std::size_t i = drawing.elements.size(); i-- > 0;)
+        if (const std::string* ink = value_of(drawing.elements[i].hints, "ink"); ink && *ink == "off")
+            erase(drawing, i);
+    return idle;
+}
 
 std::vector<std::string> apply_edits(order::Job& job, const std::vector<Edit>& edits) {
     std::vector<std::string> idle;
@@ -82,7 +155,18 @@ std::vector<std::string> apply_edits(order::Job& job, const std::vector<Edit>& e
             else
                 idle.push_back(fmt::format("direction: \"{}\" is {} line and cannot be driven {}",
                                            edit.element, closed ? "a closed" : "an open", edit.direction));
-        }};
+        },
+        [&](const OrderEdit& edit) {
+            std::vector<int> wished;
+            for (const std::string& element : edit.elements)
+                if (const auto group = group_named(job, element)) {
+                    if (std::ranges::find(wished, *group) == wished.end()) wished.push_back(*group);
+                } else
+                    idle.push_back(fmt::format("order: \"{}\" is not in the drawing", element));
+            keep_order(job, wished);
+        },
+        [](const HintEdit&) {},
+        [](const DrawEdit&) {}};  // in the drawing already
     for (const Edit& edit : edits) std::visit(apply, edit);
     return idle;
 }

@@ -5,7 +5,13 @@
 
 namespace strandline::pipeline {
 
-/// Edits put into the job. Those whose element or node is gone are returned as sentences and change nothing.
+/// Lines drawn by hand put in, what was asked of single elements put over their hints, erased elements taken
+/// out. Edits whose element is gone, and hints that the
+/// robot cannot obey, are returned as sentences and change nothing. O(elements x edits).
+std::vector<std::string> apply_to_drawing(Drawing& drawing, const std::vector<Edit>& edits,
+                                          const Robot& robot);
+/// The other edits put into the job: of the order, of connections, entries and directions. Those whose
+/// element or node is gone are returned as sentences and change nothing.
 std::vector<std::string> apply_edits(order::Job& job, const std::vector<Edit>& edits);
 /// Each element before the smallest one that encloses it.
 std::vector<std::pair<int, int>> inner_before_outer(const std::vector<order::Group>& groups,

@@ -10,12 +10,11 @@
 #include "plan/pipeline/hints.hpp"
 #include "plan/pipeline/pins.hpp"
 #include "plan/pipeline/shortfalls.hpp"
-#include "plan/pipeline/strokes.hpp"
+#include "plan/pipeline/stages.hpp"
 
 namespace strandline {
-namespace {
 
-Outcome<DrawingOptions> drawing_options(const Options& options) {
+Outcome<DrawingOptions> pipeline::drawing_options(const Options& options) {
     const Options::Fit& place = options.place;
     DrawingOptions o;
     o.canvas = {options.canvas.width, options.canvas.height};
@@ -45,6 +44,8 @@ Outcome<DrawingOptions> drawing_options(const Options& options) {
     return o;
 }
 
+namespace {
+
 order::Options order_options(const Options& options, const Robot& robot) {
     order::Options o;
     o.tour.seed = static_cast<std::uint64_t>(options.tour.seed);
@@ -70,12 +71,6 @@ order::Options order_options(const Options& options, const Robot& robot) {
     o.connect.turn_start = v * (robot.turn_rate / robot.turn_acceleration + v / robot.acceleration);
     o.min_gap = options.connect.min_length;
     return o;
-}
-
-/// Only the search may be cut short: a drawing read by half would be planned as if it were whole.
-Progress patient(Progress progress) {
-    progress.stopped = [] { return false; };
-    return progress;
 }
 
 void add(Warnings& to, const Warnings& from) { to.insert(to.end(), from.begin(), from.end()); }
@@ -204,28 +199,11 @@ Outcome<void> valid(const Options& options, const Robot& robot) {
     return {};
 }
 
-Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
-                        const std::vector<Edit>& edits, const Progress& progress) {
-    auto document = read_source(source, options, patient(progress));
-    if (!document) return tl::unexpected(document.error());
-    return make_plan(std::move(*document), source.title, robot, options, edits, progress);
-}
-
-Outcome<Plan> make_plan(svg::Document document, const std::string& title, const Robot& robot,
-                        const Options& options, const std::vector<Edit>& edits, const Progress& progress) {
-    if (const auto fits = valid(options, robot); !fits) return tl::unexpected(fits.error());
-    const auto asked = drawing_options(options);
-    if (!asked) return tl::unexpected(asked.error());
-    const Warnings wrong_hints = pipeline::drop_wrong_hints(document, robot);
-    auto drawing = make_drawing(document, robot, *asked, patient(progress));
-    if (!drawing) {
-        Error error = drawing.error();
-        // What was left out is often why nothing is there.
-        if (!document.warnings.empty()) error.reason += " (" + sentence(document.warnings.front()) + ")";
-        return tl::unexpected(error);
-    }
-
-    pipeline::Strokes strokes = pipeline::strokes_of(*drawing, robot, options, patient(progress));
+Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::string& title,
+                                const Robot& robot, const Options& options, const std::vector<Edit>& edits,
+                                KeptStrokes& kept, const Progress& progress) {
+    std::vector<std::string> idle = pipeline::apply_to_drawing(drawing, edits, robot);
+    pipeline::Strokes strokes = pipeline::strokes_of(drawing, robot, options, kept, patient(progress));
     if (strokes.groups.empty()) {
         Error error{title, "nothing of the drawing can be raked at this size",
                     "make the canvas larger, or choose a narrower rake"};
@@ -237,30 +215,30 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
         return tl::unexpected(bearable.error());
     order::Job job;
     job.groups = std::move(strokes.groups);
-    job.start = drawing->start;
+    job.start = drawing.start;
     if (options.tour.has_start) job.start = Point{options.tour.start_x, options.tour.start_y};
-    job.batches = pipeline::batches_of(job.groups, *drawing);
-    if (options.tour.inner_first) job.before = pipeline::inner_before_outer(job.groups, *drawing);
-    pipeline::keep_within_batches(job);
+    job.batches = pipeline::batches_of(job.groups, drawing);
+    if (options.tour.inner_first) job.before = pipeline::inner_before_outer(job.groups, drawing);
 
     Plan plan;
     plan.title = title;
     plan.robot = robot;
     plan.options = options;
     plan.edits = edits;
-    add(plan.warnings, wrong_hints);
-    for (const std::string& idle : pipeline::apply_edits(job, pipeline::entries_asked(*drawing)))
-        plan.warnings.push_back({"hint start", idle});
-    plan.idle_edits = pipeline::apply_edits(job, edits);
+    add(plan.warnings, read.wrong_hints);
+    for (const std::string& gone : pipeline::apply_edits(job, pipeline::entries_asked(drawing)))
+        plan.warnings.push_back({"hint start", gone});
+    plan.idle_edits = std::move(idle);
+    for (std::string& gone : pipeline::apply_edits(job, edits)) plan.idle_edits.push_back(std::move(gone));
+    pipeline::keep_within_batches(job);
     auto ordered = order::ordered(job, robot, order_options(options, robot), progress);
     if (!ordered) return tl::unexpected(ordered.error());
 
     plan.samples =
         trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});
-    const Warnings unlifted = pipeline::lift_pins(plan.samples, ordered->strokes, *drawing, robot, options);
-    pipeline::Fills fills =
-        pipeline::account_for(job.groups, strokes.filled, ordered->variants, *drawing, progress);
-    plan.drawing = std::move(*drawing);
+    const Warnings unlifted = pipeline::lift_pins(plan.samples, ordered->strokes, drawing, robot, options);
+    pipeline::Fills fills = pipeline::account_for(job.groups, ordered->variants, kept, progress);
+    plan.drawing = std::move(drawing);
     plan.figures.fill_area = fills.account.area;
     plan.figures.fill_swept = fills.swept;
     plan.figures.fill_coverage = fills.account.coverage;
@@ -270,9 +248,9 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     plan.figures.fill_drives_over = fills.account.drives_over;
     plan.bare = std::move(fills.bare);
     plan.figures.fallbacks =
-        strokes.fallbacks + static_cast<int>(unlifted.size() + wrong_hints.size()) + ordered->fallbacks;
+        strokes.fallbacks + static_cast<int>(unlifted.size() + read.wrong_hints.size()) + ordered->fallbacks;
     take_account(plan, *ordered);
-    add(plan.warnings, document.warnings);
+    add(plan.warnings, read.document.warnings);
     add(plan.warnings, plan.drawing.warnings);
     add(plan.warnings, dropped(plan.drawing, options));
     add(plan.warnings, strokes.warnings);

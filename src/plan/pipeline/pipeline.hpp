@@ -1,6 +1,7 @@
 #pragma once
 // Drawing, options, edits -> plan. Owns no search: it calls the rooms one after the other and keeps their
 // accounts.
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,23 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
 /// From the file itself.
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits = {}, const Progress& progress = {});
+
+/// Makes one plan after the other of a drawing that is being edited: the file read, the drawing and the
+/// strokes of single elements are kept and made again only where what they follow from has changed. The plans
+/// are those of make_plan(). Holds the memory of one plan. One thread at a time.
+class Planner {
+  public:
+    Planner();
+    ~Planner();
+    Planner(Planner&&) noexcept;
+    Planner& operator=(Planner&&) noexcept;
+    Outcome<Plan> plan(const Source& source, const Robot& robot, const Options& options,
+                       const std::vector<Edit>& edits = {}, const Progress& progress = {});
+
+  private:
+    struct Kept;
+    std::unique_ptr<Kept> kept_;
+};
 
 /// The defaults of Options belong to a beach of 14 m. Here every length that follows the drawing's size
 /// (margin, tolerances, least lengths and areas, sample spacing) is scaled down, never up, by the canvas's

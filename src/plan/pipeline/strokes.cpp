@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <utility>
 
 #include "plan/pipeline/hints.hpp"
@@ -121,81 +122,132 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
     return o;
 }
 
+void fill_in(Worked& work, const Robot& robot, const Options& options) {
+    const Element& element = work.element;
+    const auto fall_back = [&](const std::string& place, std::string what) {
+        ++work.fallbacks;
+        work.warnings.push_back({place, std::move(what)});
+    };
+    const Options wanted = options_for(element, options);
+    fill::Options filling = fill_options(wanted, robot);
+    const Region& region = std::get<RegionElement>(element.what).region;
+    if (filling.masked && !sees_pins(region, robot)) {
+        filling.masked = false;
+        if (wanted.fill.spacing <= 0) filling.spacing = default_spacing * filling.width;
+        fall_back(element.id, "is too large to lift pins one by one; all are down together");
+    }
+    fill::Fill filled = fill::fill_region(region, -1, element.id, filling);
+    work.fallbacks += static_cast<int>(filled.warnings.size());
+    work.warnings.insert(work.warnings.end(), filled.warnings.begin(), filled.warnings.end());
+    work.group.work.strokes = std::move(filled.strokes);
+    work.filled = Filled{std::move(filling), {std::move(filled.ways)}};
+    for (fill::Variant& variant : filled.variants) {
+        work.group.variants.push_back({std::move(variant.strokes), variant.longer});
+        work.filled->ways.push_back(std::move(variant.ways));
+    }
+    work.said = std::move(filled);
+}
+
+void go_along(Worked& work, const LineElement& line, double tolerance) {
+    Stroke stroke;
+    stroke.rake_path = fitted(line.path, {.tolerance = tolerance});
+    stroke.closed = line.path.closed;
+    stroke.pins = line.pins;
+    if (stroke.rake_path.empty()) return;
+    stroke.nodes = nodes_of(line, stroke.rake_path, tolerance);
+    work.group.work.strokes.push_back(std::move(stroke));
+}
+
+/// The element's strokes, which know no index yet.
+Worked worked(const Element& element, const Robot& robot, const Options& options) {
+    Worked work;
+    work.element = element;
+    work.group.name = element.id;
+    if (const auto* line = std::get_if<LineElement>(&element.what))
+        go_along(work, *line, options.drawing.tolerance);
+    else
+        fill_in(work, robot, options);
+    if (work.group.work.strokes.empty())
+        work.warnings.push_back({element.id, "nothing of it can be raked; it is left out"});
+    return work;
+}
+
+/// The strokes of a group, for the element with that index.
+order::Group numbered(order::Group group, int element) {
+    group.work.element = element;
+    for (Stroke& stroke : group.work.strokes) stroke.element = element;
+    for (order::Variant& variant : group.variants)
+        for (Stroke& stroke : variant.strokes) stroke.element = element;
+    return group;
+}
+
+/// What no longer stands in the drawing is dropped once it outweighs what does.
+void forget_old(KeptStrokes& kept, const Drawing& drawing) {
+    if (kept.by_id.size() <= 2 * drawing.elements.size()) return;
+    std::set<std::string> there;
+    for (const Element& element : drawing.elements) there.insert(element.id);
+    std::erase_if(kept.by_id, [&](const auto& entry) { return !there.contains(entry.first); });
+}
+
+Fills account_of(const Worked& work, int variant) {
+    const auto& [options, ways] = *work.filled;
+    const std::vector<Stroke>& driven = order::strokes_of(work.group, variant);
+    Fills fills;
+    fills.account = fill::account_of(std::get<RegionElement>(work.element.what).region, driven,
+                                     ways[static_cast<std::size_t>(variant + 1)], options);
+    for (const Stroke& stroke : driven) fills.swept += length(stroke.rake_path) * options.width;
+    for (const rake::Gap& gap : fills.account.gaps) fills.bare.push_back({work.element.id, gap.at, gap.area});
+    return fills;
+}
+
 }  // namespace
 
-Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& options,
+Strokes strokes_of(const Drawing& drawing, const Robot& robot, const Options& options, KeptStrokes& kept,
                    const Progress& progress) {
     Strokes strokes;
-    const auto fall_back = [&](const std::string& place, std::string what) {
-        ++strokes.fallbacks;
-        strokes.warnings.push_back({place, std::move(what)});
-    };
+    if (kept.robot != robot || kept.fill != options.fill || kept.tolerance != options.drawing.tolerance)
+        kept = {robot, options.fill, options.drawing.tolerance, {}};
+    forget_old(kept, drawing);
     Unserved unserved;
     Spacings spacings;
     for (std::size_t i = 0; i < drawing.elements.size(); ++i) {
         progress.report("filling", static_cast<double>(i) / static_cast<double>(drawing.elements.size()));
         const Element& element = drawing.elements[i];
-        const int index = static_cast<int>(i);
-        order::Group group{.work = {index, {}}, .name = element.id};
-        std::optional<Filled> own;
-        if (const auto* line = std::get_if<LineElement>(&element.what)) {
-            Stroke stroke;
-            stroke.element = index;
-            stroke.rake_path = fitted(line->path, {.tolerance = options.drawing.tolerance});
-            stroke.closed = line->path.closed;
-            stroke.pins = line->pins;
-            if (!stroke.rake_path.empty()) {
-                stroke.nodes = nodes_of(*line, stroke.rake_path, options.drawing.tolerance);
-                group.work.strokes.push_back(std::move(stroke));
-            }
-        } else {
-            const Options wanted = options_for(element, options);
-            fill::Options filling = fill_options(wanted, robot);
-            const Region& region = std::get<RegionElement>(element.what).region;
-            if (filling.masked && !sees_pins(region, robot)) {
-                filling.masked = false;
-                if (wanted.fill.spacing <= 0) filling.spacing = default_spacing * filling.width;
-                fall_back(element.id, "is too large to lift pins one by one; all are down together");
-            }
-            fill::Fill filled = fill::fill_region(region, index, element.id, filling);
-            unserved.add(wanted, filling, filled);
-            spacings.add(filling);
-            strokes.fallbacks += static_cast<int>(filled.warnings.size());
-            strokes.warnings.insert(strokes.warnings.end(), filled.warnings.begin(), filled.warnings.end());
-            group.work.strokes = std::move(filled.strokes);
-            own = Filled{std::move(filling), {std::move(filled.ways)}};
-            for (fill::Variant& variant : filled.variants) {
-                group.variants.push_back({std::move(variant.strokes), variant.longer});
-                own->ways.push_back(std::move(variant.ways));
-            }
+        Worked& work = kept.by_id[element.id];
+        const bool same = work.element.id == element.id && work.element.what == element.what &&
+                          work.element.hints == element.hints;
+        if (!same) work = worked(element, robot, options);
+        if (work.filled) {
+            unserved.add(options_for(element, options), work.filled->options, work.said);
+            spacings.add(work.filled->options);
         }
-        if (group.work.strokes.empty())
-            strokes.warnings.push_back({element.id, "nothing of it can be raked; it is left out"});
-        else
-            strokes.groups.push_back(std::move(group)), strokes.filled.push_back(std::move(own));
+        strokes.fallbacks += work.fallbacks;
+        strokes.warnings.insert(strokes.warnings.end(), work.warnings.begin(), work.warnings.end());
+        if (work.group.work.strokes.empty()) continue;
+        strokes.groups.push_back(numbered(work.group, static_cast<int>(i)));
     }
-    for (const Warning& warning : unserved.warnings()) fall_back(warning.place, warning.reason);
+    for (const Warning& warning : unserved.warnings()) {
+        ++strokes.fallbacks;
+        strokes.warnings.push_back(warning);
+    }
     for (const Warning& warning : spacings.warnings()) strokes.warnings.push_back(warning);
     progress.report("filling", 1);
     return strokes;
 }
 
-Fills account_for(const std::vector<order::Group>& groups, const std::vector<std::optional<Filled>>& filled,
-                  const std::vector<int>& variants, const Drawing& drawing, const Progress& progress) {
+Fills account_for(const std::vector<order::Group>& groups, const std::vector<int>& variants,
+                  KeptStrokes& kept, const Progress& progress) {
     Fills fills;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         progress.report("accounting", static_cast<double>(i) / static_cast<double>(groups.size()));
-        if (!filled[i]) continue;
-        const auto& [options, ways] = *filled[i];
-        const order::Group& group = groups[i];
-        const std::vector<Stroke>& driven = order::strokes_of(group, variants[i]);
-        const Element& element = drawing.elements[static_cast<std::size_t>(group.work.element)];
-        const rake::Account account =
-            fill::account_of(std::get<RegionElement>(element.what).region, driven,
-                             ways[static_cast<std::size_t>(variants[i] + 1)], options);
-        for (const Stroke& stroke : driven) fills.swept += length(stroke.rake_path) * options.width;
-        for (const rake::Gap& gap : account.gaps) fills.bare.push_back({element.id, gap.at, gap.area});
-        fills.account = joined(std::move(fills.account), account);
+        Worked& work = kept.by_id.at(groups[i].name);
+        if (!work.filled) continue;
+        auto known = work.accounts.find(variants[i]);
+        if (known == work.accounts.end())
+            known = work.accounts.emplace(variants[i], account_of(work, variants[i])).first;
+        fills.swept += known->second.swept;
+        fills.bare.insert(fills.bare.end(), known->second.bare.begin(), known->second.bare.end());
+        fills.account = joined(std::move(fills.account), known->second.account);
     }
     std::ranges::stable_sort(fills.bare, std::greater{}, &Spot::amount);
     progress.report("accounting", 1);

@@ -18,6 +18,14 @@ std::string write_robot_json(const Robot& robot);
 /// JSON pointer), NaN.
 Outcome<Plan> read_plan(std::string_view text, const std::string& place);
 
+/// The table of settings: a list of {"key", "kind", "unit", "default", "choices" or "low" and "high",
+/// "meaning"}, SI units, an object a line.
+std::string write_settings_json();
+/// The plan file's array "edits" alone: what the editor and its project files hold.
+std::string write_edits(const std::vector<Edit>& edits);
+/// Error: as read_plan; a hint that no element can have.
+Outcome<std::vector<Edit>> read_edits(std::string_view text, const std::string& place);
+
 /// The pair of 2014: NAME_robot.txt and NAME_rake.txt. Line i of both is the same instant: "x y mask";
 /// metres, y up, origin lower left. A turn on the spot is one line with 128; the last line has 129.
 struct BeachbotPair {

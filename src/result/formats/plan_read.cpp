@@ -67,6 +67,15 @@ Outcome<void> check_version(const Json& json, const std::string& place) {
 
 }  // namespace
 
+Outcome<std::vector<Edit>> read_edits(std::string_view text, const std::string& place) {
+    const auto json = parsed(text, place);
+    if (!json) return tl::unexpected(json.error());
+    std::vector<Edit> edits;
+    const std::optional<Flaw> flaw = take_apart(*json, edits);
+    if (!flaw) return edits;
+    return fail(fmt::format("{}{}", place, flaw->pointer), flaw->reason, "see docs/plan-format.md, edits");
+}
+
 Outcome<Plan> read_plan(std::string_view text, const std::string& place) {
     const auto json = parsed(text, place);
     if (!json) return tl::unexpected(json.error());

@@ -241,8 +241,36 @@ class PlanReader {
             get(child(at, "element"), direction.element);
             get(child(at, "direction"), direction.direction);
             no_others(at, {"edit", "element", "direction"});
+        } else if (kind == "hint") {
+            HintEdit& hint = edit.emplace<HintEdit>();
+            get(child(at, "element"), hint.element);
+            get(child(at, "name"), hint.name);
+            get(child(at, "value"), hint.value);
+            no_others(at, {"edit", "element", "name", "value"});
+            if (const auto fine = valid(svg::Hint{hint.name, hint.value}); !fine)
+                refuse(at, sentence(fine.error()));
+        } else if (kind == "order") {
+            get(child(at, "elements"), edit.emplace<OrderEdit>().elements);
+            no_others(at, {"edit", "elements"});
+        } else if (kind == "draw") {
+            get(at, edit.emplace<DrawEdit>());
         } else {
-            refuse(child(at, "edit"), fmt::format("\"{}\" is no edit: link, entry or direction", kind));
+            refuse(child(at, "edit"),
+                   fmt::format("\"{}\" is no edit: link, entry, direction, hint, order or draw", kind));
+        }
+    }
+    void get(const At& at, DrawEdit& draw) {
+        get(child(at, "element"), draw.element);
+        each(child(at, "paths"), draw.paths);
+        get(child(at, "pins"), draw.pins);
+        get(child(at, "smooth"), draw.smooth);
+        no_others(at, {"edit", "element", "paths", "pins", "smooth"});
+        if (draw.element.empty() || draw.paths.empty()) refuse(at, "a drawn element without name or lines");
+        if (draw.pins < 1) refuse(child(at, "pins"), "a line is drawn with one pin at least");
+        if (draw.smooth < 0) refuse(child(at, "smooth"), "less than nothing");
+        for (std::size_t i = 0; i < draw.paths.size(); ++i) {
+            const At path = child(at, "paths");
+            if (draw.paths[i].segments.empty()) refuse(item(path, i), "a path without a segment");
         }
     }
     void get(const At& at, NodeName& node) {
@@ -346,6 +374,15 @@ class PlanReader {
 std::optional<Flaw> take_apart(const nlohmann::json& json, Plan& plan) {
     try {
         PlanReader().get(At{json}, plan);
+    } catch (const Refused& refused) {
+        return Flaw{refused.pointer, refused.reason};
+    }
+    return std::nullopt;
+}
+
+std::optional<Flaw> take_apart(const nlohmann::json& json, std::vector<Edit>& edits) {
+    try {
+        PlanReader().get(At{json}, edits);
     } catch (const Refused& refused) {
         return Flaw{refused.pointer, refused.reason};
     }

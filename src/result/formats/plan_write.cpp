@@ -176,6 +176,32 @@ class PlanWriter {
         add(out_, "}");
     }
 
+    void put(const HintEdit& edit) {
+        add(out_, "{\"edit\":\"hint\",\"element\":");
+        put(edit.element);
+        add(out_, ",\"name\":");
+        put(edit.name);
+        add(out_, ",\"value\":");
+        put(edit.value);
+        add(out_, "}");
+    }
+    void put(const OrderEdit& edit) {
+        add(out_, "{\"edit\":\"order\",\"elements\":");
+        put(edit.elements);
+        add(out_, "}");
+    }
+    void put(const DrawEdit& edit) {
+        add(out_, "{\"edit\":\"draw\",\"element\":");
+        put(edit.element);
+        add(out_, ",\"paths\":");
+        list(edit.paths, "", [&](const Path& path) { put(path); });
+        add(out_, ",\"pins\":");
+        put(edit.pins);
+        add(out_, ",\"smooth\":");
+        put(edit.smooth);
+        add(out_, "}");
+    }
+
     void put(const std::vector<Sample>& samples) {
         const SampleColumns columns = columns_of(samples);
         const char* before = "{\n";
@@ -247,6 +273,12 @@ std::string write_plan(const Plan& plan) {
 std::string write_robot_json(const Robot& robot) {
     Text text;
     PlanWriter(text).put(robot);
+    return text;
+}
+
+std::string write_edits(const std::vector<Edit>& edits) {
+    Text text;
+    PlanWriter(text).put(edits);
     return text;
 }
 

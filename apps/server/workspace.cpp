@@ -1,0 +1,219 @@
+#include "workspace.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "plan/pipeline/pipeline.hpp"
+#include "project_text.hpp"
+
+namespace strandline::serve {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json json_of(const Error& error) {
+    return {{"place", error.place}, {"reason", error.reason}, {"remedy", error.remedy}};
+}
+
+// Kicks of the search for a draft: floral (90 elements) takes 0.1 s with them, a second with the full budget,
+// and its way is a little longer.
+constexpr int draft_moves = 200;
+
+/// Thrown out of a progress report: how planning that nobody waits for any more is left at once.
+struct Outdated {};
+
+/// Tells how far planning is, not more often than a person can see.
+Progress progress_to(Hub& hub, long long revision, const std::atomic<bool>& stop, double seconds) {
+    static constexpr std::chrono::milliseconds pause(60);
+    const auto begun = Clock::now();
+    auto told = std::make_shared<Clock::time_point>(begun);
+    Progress progress;
+    progress.report = [&hub, &stop, revision, told](const std::string& what, double share) {
+        if (stop) throw Outdated();
+        const auto now = Clock::now();
+        if (now - *told < pause) return;
+        *told = now;
+        hub.tell({"progress", line_of({{"revision", revision}, {"what", what}, {"share", share}})});
+    };
+    progress.stopped = [&stop, begun, seconds] {
+        return stop || (seconds > 0 && Clock::now() - begun > std::chrono::duration<double>(seconds));
+    };
+    return progress;
+}
+
+}  // namespace
+
+Workspace::Workspace(std::string id, Project project, Folder folder, std::string program)
+    : id_(std::move(id)),
+      program_(std::move(program)),
+      folder_(std::move(folder)),
+      project_(std::move(project)),
+      planner_(std::make_unique<Planner>()),
+      proving_thread_(std::make_unique<Latest>()),
+      planning_thread_(std::make_unique<Latest>()) {
+    // A project that was read has a state: read_project() made sure.
+    state_ = *state_of(project_);
+    plan_anew(state_, project_.revision);
+}
+
+Workspace::~Workspace() { hub_.close(); }
+
+Standing Workspace::standing() const {
+    const std::lock_guard lock(mutex_);
+    Standing standing{project_.revision, news_,    project_.title, state_, {}, {},
+                      planning_,         failure_, planned_};
+    for (std::size_t i = 0; i < project_.steps.size(); ++i)
+        if (i < project_.done) standing.undo.push_back(project_.steps[i].what);
+    for (std::size_t i = project_.steps.size(); i > project_.done; --i)
+        standing.redo.push_back(project_.steps[i - 1].what);
+    return standing;
+}
+
+std::string Workspace::file_text() const {
+    const std::lock_guard lock(mutex_);
+    return write_project(project_);
+}
+
+bool Workspace::began_with(const SourceFile& source) const {
+    const std::lock_guard lock(mutex_);
+    return *project_.sources.front() == source;
+}
+
+std::shared_ptr<const Planned> Workspace::planned() const {
+    const std::lock_guard lock(mutex_);
+    return planned_;
+}
+
+Event Workspace::standing_event() const {
+    const std::lock_guard lock(mutex_);
+    Json parts;
+    if (planned_)
+        parts = {{"revision", planned_->revision},
+                 {"drawing", planned_->drawing.tag},
+                 {"drive", planned_->drive.tag},
+                 {"samples", planned_->samples.tag},
+                 {"report", planned_->report.tag}};
+    return {"standing", line_of({{"revision", project_.revision},
+                                 {"news", news_},
+                                 {"planning", planning_},
+                                 {"failure", failure_ ? json_of(*failure_) : Json()},
+                                 {"plan", std::move(parts)}})};
+}
+
+/// One at a time: what is told last is what holds.
+void Workspace::tell_standing() {
+    const std::lock_guard lock(telling_);
+    hub_.tell(standing_event());
+}
+
+Outcome<long long> Workspace::change(long long revision, const Edited& change) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (revision != project_.revision)
+            return fail("revision",
+                        fmt::format("{} is not the newest: it is {}", revision, project_.revision),
+                        "take over what others changed, then change it again");
+        Project changed = project_;
+        if (const auto done = change(changed); !done) return tl::unexpected(done.error());
+        auto state = state_of(changed);
+        if (!state) return tl::unexpected(state.error());
+        if (const auto saved = folder_.write(id_, write_project(changed)); !saved)
+            return tl::unexpected(saved.error());
+        project_ = std::move(changed);
+        state_ = std::move(*state);
+        revision = project_.revision;
+        ++news_;
+        plan_anew(state_, revision);
+    }
+    tell_standing();
+    return revision;
+}
+
+/// A draft first, by a short search: it is on the screen while the long one goes on. The stages that both
+/// share are made once. Under the lock, or before anyone else knows of this.
+void Workspace::plan_anew(const State& state, long long revision) {
+    planning_ = true;
+    planning_thread_->want([this, state, revision](const std::atomic<bool>& stop) {
+        if (state.options.tour.moves == 0) {
+            State hasty = state;
+            hasty.options.tour.moves = draft_moves;
+            if (!plan_and_publish(hasty, revision, stop, true)) return;
+        }
+        plan_and_publish(state, revision, stop, false);
+    });
+}
+
+/// False: there is no plan, or nobody waits for it any more.
+bool Workspace::plan_and_publish(const State& state, long long revision, const std::atomic<bool>& stop,
+                                 bool draft) {
+    Outcome<Plan> plan;
+    try {
+        if (!state.source || (state.source->bytes.empty() && state.edits.empty()))
+            plan = fail("drawing", "nothing is drawn yet", "draw, write, or drop a drawing here");
+        else
+            plan =
+                planner_->plan({state.source->bytes, state.source->title}, state.robot, state.options,
+                               state.edits, progress_to(hub_, revision, stop, state.options.tour.time_limit));
+    } catch (const Outdated&) {
+        return false;
+    } catch (const std::exception& error) {
+        plan = fail("planning", error.what(), "undo the last change, and report this with the project");
+        planner_ = std::make_unique<Planner>();
+    }
+    if (stop) return false;
+    if (!plan) {
+        {
+            const std::lock_guard lock(mutex_);
+            if (revision != project_.revision) return false;
+            planning_ = false;
+            ++news_;
+            failure_ = plan.error();
+        }
+        tell_standing();
+        return false;
+    }
+    plan->program = program_;
+    auto planned = std::make_shared<Planned>();
+    planned->revision = revision;
+    planned->drawing = drawing_part(*plan);
+    planned->drive = drive_part(*plan);
+    planned->samples = samples_part(*plan);
+    planned->plan = std::make_shared<const Plan>(std::move(*plan));
+    return publish(std::move(planned), draft);
+}
+
+bool Workspace::publish(std::shared_ptr<Planned> planned, bool draft) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (planned->revision != project_.revision) return false;
+        planning_ = draft;
+        ++news_;
+        failure_.reset();
+        planned_ = planned;
+    }
+    tell_standing();
+    if (draft) return true;
+    proving_thread_->want([this, planned](const std::atomic<bool>& stop) {
+        const check::Report report = check::prove(*planned->plan);
+        if (stop) return;
+        auto proved = std::make_shared<Planned>(*planned);
+        proved->report = report_part(report);
+        {
+            const std::lock_guard lock(mutex_);
+            if (planned_ != planned) return;
+            planned_ = std::move(proved);
+            ++news_;
+        }
+        tell_standing();
+    });
+    return true;
+}
+
+}  // namespace strandline::serve

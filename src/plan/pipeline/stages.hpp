@@ -1,0 +1,28 @@
+#pragma once
+// The stages of a plan, each with what it needs: whoever keeps their results need not make them again.
+#include "plan/pipeline/pipeline.hpp"
+#include "plan/pipeline/strokes.hpp"
+
+namespace strandline::pipeline {
+
+/// A file that was read, without the hints that cannot be obeyed.
+struct Read {
+    svg::Document document;
+    Warnings wrong_hints;
+};
+
+Outcome<DrawingOptions> drawing_options(const Options& options);
+/// Whether lines are drawn by hand.
+bool by_hand(const std::vector<Edit>& edits);
+/// The drawing before any edit. A file without shapes gives a bare one where lines are drawn by hand.
+Outcome<Drawing> drawn(const Read& read, const Robot& robot, const DrawingOptions& options,
+                       const std::vector<Edit>& edits, const Progress& progress);
+/// All that comes after the drawing.
+Outcome<Plan> planned(const Read& read, Drawing drawing, const std::string& title, const Robot& robot,
+                      const Options& options, const std::vector<Edit>& edits, KeptStrokes& kept,
+                      const Progress& progress);
+
+/// Only the search may be cut short: a drawing read by half would be planned as if it were whole.
+Progress patient(Progress progress);
+
+}  // namespace strandline::pipeline

@@ -1,0 +1,175 @@
+import { useEffect, useRef, useState } from 'preact/hooks'
+import type { Setting } from '../api/client'
+import { edit, session, setOption } from '../session'
+import { useStore } from '../store'
+import { view } from '../view'
+import { spoken } from './words'
+
+const names: Record<string, string> = {
+  canvas: 'Canvas and margin',
+  place: 'Placement',
+  drawing: 'Drawing',
+  ink: 'Ink',
+  trace: 'Pictures',
+  text: 'Text in drawings',
+  fill: 'Filling',
+  tour: 'Order',
+  corner: 'Corners',
+  connect: 'Connections',
+  trajectory: 'Trajectory',
+}
+const firstOpen = new Set(['canvas', 'place'])
+
+interface FieldShape {
+  key: string
+  kind: string
+  unit: string
+  value: string
+  meaning: string
+  set: boolean
+  low?: number
+  high?: number
+  choices?: string[]
+}
+
+/** "0.785rad" -> "45": angles are shown in degrees, lengths in metres. */
+function shown(field: FieldShape): string {
+  if (field.kind !== 'angle') return field.value
+  const radians = field.value.endsWith('rad') ? parseFloat(field.value) : (parseFloat(field.value) * Math.PI) / 180
+  return `${+((radians * 180) / Math.PI).toFixed(4)}`
+}
+function range(field: FieldShape): string {
+  if (field.low === undefined || field.high === undefined) return ''
+  const f = field.kind === 'angle' ? 180 / Math.PI : 1
+  const text = (n: number) => (Math.abs(n) >= 1e5 ? n.toExponential(0) : `${+n.toFixed(4)}`)
+  return `${text(field.low * f)} to ${text(field.high * f)}`
+}
+
+function Field({ field }: { field: FieldShape }) {
+  const unit = field.kind === 'angle' ? '°' : field.unit
+  const id = `set-${field.key}`
+  const wanted = useStore(view, (v) => v.wantedSetting === field.key)
+  const box = useRef<HTMLDivElement>(null)
+  useEffect(() => {
+    if (!wanted) return
+    box.current?.scrollIntoView({ block: 'center' })
+    box.current?.querySelector<HTMLElement>('input, select')?.focus()
+    view.set({ wantedSetting: '' })
+  }, [wanted])
+  const send = (value: string) => {
+    const text = value.trim()
+    // A bare number of degrees; whoever writes a unit means it.
+    void setOption(field.key, field.kind === 'angle' && /^[-+.\de]+$/i.test(text) ? `${text}deg` : text)
+  }
+  let control
+  if (field.kind === 'on or off' || field.unit === 'true/false')
+    control = <input id={id} type="checkbox" checked={['on', 'true', '1'].includes(field.value)} onChange={(e) => send(e.currentTarget.checked ? 'on' : 'off')} />
+  else if (field.choices)
+    control = (
+      <select id={id} value={field.value} onChange={(e) => send(e.currentTarget.value)}>
+        {field.choices.map((choice) => (
+          <option value={choice}>{choice}</option>
+        ))}
+      </select>
+    )
+  else
+    control = (
+      <span class="value">
+        <input
+          id={id}
+          type="text"
+          inputMode={field.kind === 'text' ? 'text' : 'decimal'}
+          value={shown(field)}
+          aria-describedby={`${id}-help`}
+          onChange={(e) => send(e.currentTarget.value)}
+        />
+        <span class="unit">{unit}</span>
+      </span>
+    )
+  return (
+    <div class={field.set ? 'setting set' : 'setting'} ref={box}>
+      <div class="line">
+        <label for={id}>{spoken(field.key)}</label>
+        {control}
+      </div>
+      <div class="help" id={`${id}-help`}>
+        {field.meaning}
+        {range(field) && <span class="range"> ({range(field)}{unit && ` ${unit}`})</span>}
+        {field.set && (
+          <button class="link" onClick={() => setOption(field.key, '')}>
+            default
+          </button>
+        )}
+      </div>
+    </div>
+  )
+}
+
+export function SettingsPanel() {
+  const about = useStore(session, (s) => s.about)
+  const standing = useStore(session, (s) => s.standing)
+  const wanted = useStore(view, (v) => v.wantedSetting)
+  const [search, setSearch] = useState('')
+  if (!about || !standing) return null
+  const isSet = new Set(standing.set)
+  const fieldOf = (s: Setting): FieldShape => ({
+    ...s,
+    value: standing.settings[s.key] ?? '',
+    set: isSet.has(s.key),
+  })
+  const robot = standing.robot as unknown as Record<string, unknown>
+  const groups = new Map<string, FieldShape[]>()
+  for (const setting of about.settings) {
+    const group = setting.key.split('.')[0]
+    groups.set(group, [...(groups.get(group) ?? []), fieldOf(setting)])
+  }
+  const robotFields: FieldShape[] = about.robot_fields.map((f) => ({
+    key: `robot.${f.name}`,
+    kind: f.unit === 'true/false' ? 'on or off' : 'number',
+    unit: f.unit === 'true/false' || f.unit === 'count' ? '' : f.unit,
+    value: String(robot[f.name]),
+    meaning: f.meaning,
+    set: isSet.has(`robot.${f.name}`),
+    low: f.unit === 'true/false' ? undefined : f.low,
+    high: f.unit === 'true/false' ? undefined : f.high,
+  }))
+  const order = ['canvas', 'place', ...[...groups.keys()].filter((g) => !firstOpen.has(g))]
+  const matches = (f: FieldShape) => !search || `${f.key} ${f.meaning}`.toLowerCase().includes(search.toLowerCase())
+  const section = (name: string, title: string, fields: FieldShape[], before?: preact.JSX.Element) => {
+    const some = fields.filter(matches)
+    if (some.length === 0 && !(before && !search)) return null
+    const open = search !== '' || wanted.startsWith(`${name}.`) || firstOpen.has(name)
+    return (
+      <details open={open} key={`${name}${open}`}>
+        <summary>
+          {title}
+          {fields.some((f) => f.set) && <span class="dot" title="changed" />}
+        </summary>
+        {!search && before}
+        {some.map((f) => (
+          <Field key={f.key} field={f} />
+        ))}
+      </details>
+    )
+  }
+  const profile = (
+    <div class="setting">
+      <div class="line">
+        <label for="set-robot">profile</label>
+        <select id="set-robot" value={standing.robot_name} onChange={(e) => edit(`robot ${e.currentTarget.value}`, [{ set: 'robot', value: e.currentTarget.value }])}>
+          {about.robots.map((r) => (
+            <option value={r.name}>{r.name}</option>
+          ))}
+        </select>
+      </div>
+    </div>
+  )
+  return (
+    <div class="settings">
+      <input class="search" type="search" placeholder="Search settings" aria-label="Search settings" value={search} onInput={(e) => setSearch(e.currentTarget.value)} />
+      {order.slice(0, 2).map((g) => section(g, names[g] ?? g, groups.get(g) ?? []))}
+      {section('robot', 'Robot', robotFields, profile)}
+      {order.slice(2).map((g) => section(g, names[g] ?? g, groups.get(g) ?? []))}
+    </div>
+  )
+}

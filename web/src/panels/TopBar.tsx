@@ -1,0 +1,214 @@
+import { useEffect, useRef, useState } from 'preact/hooks'
+import type { ComponentChildren } from 'preact'
+import { api } from '../api/client'
+import { newSketch, notify, openFile, openProject, projectId, redo, replaceDrawing, session, undo } from '../session'
+import { useStore } from '../store'
+import { view } from '../view'
+import type { ViewState } from '../view'
+import { Icon } from './icons'
+
+/** A button that opens a list; closes on Escape, on a choice, and when something else is clicked. */
+function Menu({ label, icon, children }: { label: string; icon: string; children: (close: () => void) => ComponentChildren }) {
+  const [open, setOpen] = useState(false)
+  const box = useRef<HTMLDivElement>(null)
+  useEffect(() => {
+    if (!open) return
+    const away = (event: Event) => {
+      if (event instanceof KeyboardEvent ? event.key === 'Escape' : !box.current?.contains(event.target as Node)) setOpen(false)
+    }
+    window.addEventListener('pointerdown', away)
+    window.addEventListener('keydown', away)
+    return () => {
+      window.removeEventListener('pointerdown', away)
+      window.removeEventListener('keydown', away)
+    }
+  }, [open])
+  return (
+    <div class="menu" ref={box}>
+      <button class="plain" aria-label={label} aria-expanded={open} onClick={() => setOpen(!open)}>
+        <Icon name={icon} />
+        <span class="wide">{label}</span>
+      </button>
+      {open && <div class="sheet">{children(() => setOpen(false))}</div>}
+    </div>
+  )
+}
+
+function ProjectList({ close }: { close: () => void }) {
+  const [projects, setProjects] = useState<string[]>([])
+  useEffect(() => {
+    api
+      .projects()
+      .then((list) => setProjects(list.projects.map((p) => p.id)))
+      .catch((error: Error) => notify(error.message))
+  }, [])
+  if (projects.length < 2) return null
+  return (
+    <>
+      <div class="caption">In this folder</div>
+      {projects.map((id) => (
+        <button
+          class="row"
+          aria-current={id === projectId()}
+          onClick={() => {
+            openProject(id).catch((error: Error) => notify(error.message))
+            close()
+          }}
+        >
+          {id}
+        </button>
+      ))}
+    </>
+  )
+}
+
+function FileRow({ label, take, close }: { label: string; take: (file: File) => unknown; close: () => void }) {
+  const file = useRef<HTMLInputElement>(null)
+  return (
+    <>
+      <button class="row" onClick={() => file.current?.click()}>
+        {label} …
+      </button>
+      <input
+        ref={file}
+        type="file"
+        hidden
+        aria-label={label}
+        accept=".svg,.png,.jpg,.jpeg,.strandline"
+        onChange={(event) => {
+          const chosen = event.currentTarget.files?.[0]
+          if (chosen) take(chosen)
+          close()
+        }}
+      />
+    </>
+  )
+}
+
+function ProjectMenu() {
+  return (
+    <Menu label="Project" icon="open">
+      {(close) => (
+        <div>
+          <FileRow label="Open a drawing, picture or project" take={openFile} close={close} />
+          <FileRow label="Put another drawing in this project's place" take={replaceDrawing} close={close} />
+          <button
+            class="row"
+            onClick={() => {
+              void newSketch()
+              close()
+            }}
+          >
+            New sketch on bare sand
+          </button>
+          <a class="row" href={api.fileUrl(projectId())} download onClick={close}>
+            Save a copy of the project
+          </a>
+          <ProjectList close={close} />
+        </div>
+      )}
+    </Menu>
+  )
+}
+
+function ExportMenu() {
+  const formats = useStore(session, (s) => s.about?.exports)
+  const planned = useStore(session, (s) => s.drive !== null && !s.planning && s.failure === null)
+  return (
+    <Menu label="Export" icon="export">
+      {(close) => (
+        <div>
+          {!planned && <div class="caption">The plan is not ready yet.</div>}
+          {planned &&
+            formats?.map((format) => (
+              <a class="row" href={api.exportUrl(projectId(), format.name)} download onClick={close}>
+                <b>{format.name}</b>
+                <small>{format.what}</small>
+              </a>
+            ))}
+        </div>
+      )}
+    </Menu>
+  )
+}
+
+function Choice<K extends 'look' | 'connections'>({ of, label, choices }: { of: K; label: string; choices: [ViewState[K], string][] }) {
+  const now = useStore(view, (v) => v[of])
+  return (
+    <div class="choice" role="group" aria-label={label}>
+      {choices.map(([value, name]) => (
+        <button aria-pressed={now === value} onClick={() => view.set({ [of]: value } as Partial<ViewState>)}>
+          {name}
+        </button>
+      ))}
+    </div>
+  )
+}
+
+function ShowMenu() {
+  const now = useStore(view, (v) => v)
+  const toggle = (key: 'orderColours' | 'wheels' | 'faults' | 'robot' | 'grid', name: string) => (
+    <label class="row">
+      <input type="checkbox" checked={now[key]} onChange={() => view.set({ [key]: !now[key] } as Partial<ViewState>)} />
+      {name}
+    </label>
+  )
+  return (
+    <Menu label="Show" icon="eye">
+      {() => (
+        <div>
+          <div class="caption">Connections</div>
+          <Choice of="connections" label="Connections" choices={[['shown', 'As driven'], ['arrows', 'Arrows'], ['hidden', 'Hidden']]} />
+          {toggle('orderColours', 'Order as colour, first blue to last red')}
+          {toggle('wheels', 'Wheel tracks')}
+          {toggle('faults', 'Faults, blemishes and bare places')}
+          {toggle('robot', 'Robot to scale')}
+          {toggle('grid', 'Grid and ruler')}
+        </div>
+      )}
+    </Menu>
+  )
+}
+
+export function TopBar() {
+  const standing = useStore(session, (s) => s.standing)
+  const open = useStore(view, (v) => v.panelOpen)
+  const step = (where: 'undo' | 'redo', act: () => unknown, key: string) => (
+    <button
+      class="plain"
+      disabled={!standing || standing[where].count === 0}
+      title={standing?.[where].count ? `${where} ${standing[where].next} (${key})` : where}
+      aria-label={standing?.[where].count ? `${where} ${standing[where].next}` : where}
+      onClick={act}
+    >
+      <Icon name={where} />
+    </button>
+  )
+  return (
+    <header class="topbar">
+      <div class="title">
+        <b>{standing?.title ?? 'Strandline'}</b>
+        <Status />
+      </div>
+      <ProjectMenu />
+      {step('undo', undo, 'Ctrl Z')}
+      {step('redo', redo, 'Ctrl Shift Z')}
+      <span class="gap" />
+      <Choice of="look" label="Look" choices={[['outline', 'Outline'], ['realistic', 'Sand']]} />
+      <ShowMenu />
+      <ExportMenu />
+      <button class="plain" aria-pressed={open} aria-label="Panel" title="Panel" onClick={() => view.set({ panelOpen: !open })}>
+        <Icon name="panel" />
+      </button>
+    </header>
+  )
+}
+
+/** What is going on, in a word. */
+function Status() {
+  const { planning, progress, failure, online } = useStore(session, (s) => s)
+  if (!online) return <span class="status bad">server away</span>
+  if (planning) return <span class="status busy">planning{progress ? `: ${progress.what}` : ''}</span>
+  if (failure) return <span class="status bad">no plan</span>
+  return <span class="status">saved</span>
+}

@@ -1,0 +1,204 @@
+// The open project: what holds, the newest plan, and what is asked of the server. Every panel and tool goes through here.
+import { api, Refusal } from './api/client'
+import type { About, Change, Drawing, Drive, Failure, Report, Standing, StandingEvent, ProgressEvent } from './api/client'
+import { noSamples, readSamples } from './plan/samples'
+import type { Samples } from './plan/samples'
+import { Store } from './store'
+
+export interface SessionState {
+  about: About | null
+  standing: Standing | null
+  drawing: Drawing | null
+  drive: Drive | null
+  samples: Samples
+  report: Report | null
+  /** Revision of the project that the plan shown was made from. */
+  planned: number
+  planning: boolean
+  progress: ProgressEvent | null
+  failure: Failure | null
+  online: boolean
+  notice: string
+}
+
+export const session = new Store<SessionState>({
+  about: null,
+  standing: null,
+  drawing: null,
+  drive: null,
+  samples: noSamples,
+  report: null,
+  planned: 0,
+  planning: false,
+  progress: null,
+  failure: null,
+  online: true,
+  notice: '',
+})
+
+let events: EventSource | null = null
+const noTags = { revision: 0, drawing: '', drive: '', samples: '', report: '' }
+let tags = noTags
+/** Number of the newest answer or event taken over; answers overtake one another on their way. */
+let newest = 0
+/** The project that is open or being opened. */
+let current = ''
+let queue: Promise<unknown> = Promise.resolve()
+
+/** One after the other: edits name the revision that the one before gave. */
+function inTurn<T>(work: () => Promise<T>): Promise<T | undefined> {
+  const done = queue.then(work).catch((error: unknown) => {
+    notify(error instanceof Error ? error.message : String(error))
+    return undefined
+  })
+  queue = done
+  return done
+}
+
+let noticeTimer = 0
+export function notify(notice: string): void {
+  session.set({ notice })
+  window.clearTimeout(noticeTimer)
+  if (notice) noticeTimer = window.setTimeout(() => session.set({ notice: '' }), 8000)
+}
+
+export function projectId(): string {
+  return session.now.standing?.id ?? ''
+}
+
+async function refreshStanding(id: string): Promise<Standing> {
+  let standing = await api.standing(id)
+  while (id === current && standing.news < newest) standing = await api.standing(id)
+  if (id !== current) return standing
+  newest = standing.news
+  session.set({ standing, planning: standing.planning, failure: standing.failure ?? null })
+  return standing
+}
+
+/** Takes over the parts of the plan that changed. Drawing, drive and samples belong together and are shown together. */
+async function takePlan(id: string, plan: StandingEvent['plan']): Promise<void> {
+  if (!plan) return
+  const [drawing, drive, samples] = await Promise.all([
+    plan.drawing === tags.drawing ? session.now.drawing : api.drawing(id),
+    plan.drive === tags.drive ? session.now.drive : api.drive(id),
+    plan.samples === tags.samples ? session.now.samples : api.samples(id).then(readSamples),
+  ])
+  const report = plan.report === '' ? null : plan.report === tags.report ? session.now.report : await api.report(id)
+  if (id !== current) return
+  tags = plan
+  session.set({ drawing, drive, samples, report, planned: plan.revision })
+}
+
+async function heard(id: string, event: StandingEvent): Promise<void> {
+  if (id !== current || event.news < newest) return
+  newest = event.news
+  session.set({ planning: event.planning, failure: event.failure ?? null, progress: event.planning ? session.now.progress : null })
+  const { standing } = session.now
+  if (event.revision !== standing?.revision) await refreshStanding(id)
+  else session.set({ standing: { ...standing, planning: event.planning, failure: event.failure, plan: event.plan } })
+  await takePlan(id, event.plan)
+}
+
+function listen(id: string): void {
+  events?.close()
+  events = new EventSource(api.eventsUrl(id))
+  let last: Promise<void> = Promise.resolve()
+  let turns = 0
+  events.addEventListener('standing', (message) => {
+    const turn = ++turns
+    const event = JSON.parse(message.data) as StandingEvent
+    // The newest says all there is: those it overtook need not be fetched.
+    last = last.then(() => (turn === turns ? heard(id, event) : undefined)).catch(() => undefined)
+  })
+  events.addEventListener('progress', (message) => session.set({ progress: JSON.parse(message.data) as ProgressEvent }))
+  events.onopen = () => session.set({ online: true })
+  events.onerror = () => {
+    // The next one that answers may be another server, which counts from the beginning.
+    newest = 0
+    session.set({ online: false })
+  }
+}
+
+export async function openProject(id: string): Promise<void> {
+  events?.close()
+  current = id
+  tags = noTags
+  newest = 0
+  session.set({ drawing: null, drive: null, samples: noSamples, report: null, planned: 0, progress: null, failure: null })
+  await refreshStanding(id)
+  const url = new URL(location.href)
+  url.searchParams.set('project', id)
+  history.replaceState(null, '', url)
+  document.title = `${session.now.standing?.title ?? id} · Strandline`
+  listen(id)
+}
+
+/** Pages in the background give their connection back: browsers have only six for a server. */
+export function followVisibility(): void {
+  document.addEventListener('visibilitychange', () => {
+    const id = projectId()
+    if (!id) return
+    if (document.hidden) {
+      events?.close()
+      events = null
+    } else if (!events) {
+      listen(id)
+    }
+  })
+}
+
+/** Changes taken in one step. A stale revision (another tab was quicker) is read again and the step taken once more. */
+export function edit(what: string, changes: Change[]): Promise<boolean> {
+  return inTurn(async () => {
+    const id = projectId()
+    try {
+      await api.edit(id, session.now.standing!.revision, what, changes)
+    } catch (error) {
+      if (!(error instanceof Refusal) || error.status !== 409) throw error
+      const standing = await refreshStanding(id)
+      await api.edit(id, standing.revision, what, changes)
+    }
+    await refreshStanding(id)
+    return true
+  }).then((done) => done === true)
+}
+
+export const setOption = (key: string, value: string) => edit(`${key} ${value || 'default'}`, [{ set: key, value }])
+
+function move(where: 'undo' | 'redo'): Promise<unknown> {
+  return inTurn(async () => {
+    const { standing } = session.now
+    if (!standing || standing[where].count === 0) return
+    await api[where](standing.id, standing.revision)
+    await refreshStanding(standing.id)
+  })
+}
+export const undo = () => move('undo')
+export const redo = () => move('redo')
+
+/** A drawing takes the place of this project's when that is bare; else it becomes a project of its own. */
+export function openFile(file: File): Promise<unknown> {
+  return inTurn(async () => {
+    const made = await api.create(file.name, file)
+    await openProject(made.id)
+  })
+}
+export function replaceDrawing(file: File): Promise<unknown> {
+  return inTurn(async () => {
+    const { standing } = session.now
+    await api.source(standing!.id, standing!.revision, file.name, file)
+    await refreshStanding(standing!.id)
+  })
+}
+export function newSketch(): Promise<unknown> {
+  return inTurn(async () => openProject((await api.create('sketch', '')).id))
+}
+
+export async function begin(): Promise<void> {
+  session.set({ about: await api.about() })
+  const wanted = new URL(location.href).searchParams.get('project')
+  const { projects } = await api.projects()
+  const id = projects.find((p) => p.id === wanted)?.id ?? projects[0]?.id ?? (await api.create('sketch', '')).id
+  await openProject(id)
+  followVisibility()
+}

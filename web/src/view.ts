@@ -1,0 +1,54 @@
+// What is looked at and with which tool: not part of the project.
+import { Store } from './store'
+
+export type ToolName = 'select' | 'link' | 'start' | 'entry' | 'fill' | 'cut' | 'draw' | 'text' | 'erase'
+export type Tab = 'plan' | 'order' | 'settings' | 'changes'
+
+export interface ViewState {
+  look: 'outline' | 'realistic'
+  connections: 'shown' | 'arrows' | 'hidden'
+  orderColours: boolean
+  wheels: boolean
+  faults: boolean
+  robot: boolean
+  grid: boolean
+  tool: ToolName
+  hint: string
+  tab: Tab
+  panelOpen: boolean
+  /** Ids of elements. */
+  selected: string
+  hovered: string
+  /** Seconds; null: the whole plan is shown. */
+  time: number | null
+  playing: boolean
+  speed: number
+  /** A setting that the settings panel is to show. */
+  wantedSetting: string
+  fill: { style: string; whole: boolean }
+  pen: { pins: number; smooth: number }
+  text: { text: string; font: string; height: number; align: 'left' | 'centre' | 'right' }
+}
+
+export const view = new Store<ViewState>({
+  look: 'outline',
+  connections: 'shown',
+  orderColours: false,
+  wheels: false,
+  faults: true,
+  robot: true,
+  grid: true,
+  tool: 'select',
+  hint: '',
+  tab: 'plan',
+  panelOpen: window.innerWidth > 720,
+  selected: '',
+  hovered: '',
+  time: null,
+  playing: false,
+  speed: 20,
+  wantedSetting: '',
+  fill: { style: 'zigzag', whole: true },
+  pen: { pins: 1, smooth: 0.03 },
+  text: { text: 'Hello', font: 'scripts', height: 1, align: 'left' },
+})

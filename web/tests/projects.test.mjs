@@ -1,0 +1,181 @@
+// Projects: upload, export, save, reload, two tabs, a server that was killed.
+import assert from 'node:assert/strict'
+import { after, afterEach, before, beforeEach, test } from 'node:test'
+import { readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { drag, edited, elements, openEditor, root, settled, standing, startBrowser, startServer, tempFolder } from './editor.mjs'
+
+let browser, server, folder, page
+before(async () => (browser = await startBrowser()))
+after(() => browser.close())
+beforeEach(async () => {
+  folder = tempFolder()
+  server = await startServer(folder.path, join(root, 'web/tests/drawing.svg'))
+  page = await openEditor(browser, server.url)
+  await settled(page)
+})
+afterEach(async () => {
+  assert.deepEqual(page.faults, [])
+  await page.context().close()
+  await server.kill()
+  folder.remove()
+})
+
+const eraseMast = (p) =>
+  edited(p, async () => {
+    await p.evaluate(() => window.strandline.view.set({ selected: 'mast' }))
+    await p.getByRole('region', { name: 'Element' }).getByText('Erase').click()
+  })
+
+test('what was edited is there again after the server was killed and the page loaded anew', async () => {
+  await eraseMast(page)
+  const before = await standing(page)
+  const { port } = server
+  await server.kill('SIGKILL')
+  await page.locator('.status.bad').waitFor()
+  server = await startServer(folder.path, join(root, 'web/tests/drawing.svg'), port)
+  await page.reload()
+  await settled(page)
+  const now = await standing(page)
+  assert.deepEqual([now.revision, now.edits], [before.revision, before.edits])
+  await edited(page, () => page.click('button[aria-label^="undo"]'))
+  assert.deepEqual((await standing(page)).edits, [])
+})
+
+test('a page that stays open goes on when the server is back', async () => {
+  const { port } = server
+  await server.kill('SIGKILL')
+  await page.locator('.status.bad').waitFor()
+  server = await startServer(folder.path, join(root, 'web/tests/drawing.svg'), port)
+  await page.waitForFunction(() => window.strandline.session.now.online, null, { timeout: 20000 })
+  await eraseMast(page)
+  assert.equal((await standing(page)).edits.length, 1)
+})
+
+test('two tabs show the same project; a stale edit is taken up again', async () => {
+  const other = await openEditor(browser, server.url)
+  await settled(other)
+  await eraseMast(page)
+  await other.waitForFunction(() => !window.strandline.session.now.drawing.elements.some((e) => e.id === 'mast'))
+  await other.keyboard.press('d')
+  await edited(other, () => drag(other, [[2, 11], [5, 12], [6, 11]]))
+  await page.waitForFunction(() => window.strandline.session.now.drawing.elements.some((e) => e.id === 'pen1'))
+  assert.equal((await standing(page)).edits.length, 2)
+  // A revision that is no longer the newest: the page takes over what is new, then edits once more.
+  await page.evaluate(() => {
+    const { session } = window.strandline
+    session.set({ standing: { ...session.now.standing, revision: 1 } })
+  })
+  await page.keyboard.press('d')
+  await drag(page, [[2, 9], [3, 10], [4, 9]])
+  await page.waitForFunction(() => window.strandline.session.now.standing.edits.length === 3)
+  await other.context().close()
+})
+
+test('an answer that was overtaken by a newer event does not take its place', async () => {
+  // What the server said while it was planning comes when it has long been done.
+  let held = 0
+  await page.route(/projects\/drawing$/, async (route) => {
+    if (route.request().method() !== 'GET' || held > 0) return route.continue()
+    held++
+    const response = await route.fetch()
+    await page.waitForFunction(() => window.strandline.session.now.report !== null && !window.strandline.session.now.planning, null, { timeout: 2000 }).catch(() => {})
+    await new Promise((done) => setTimeout(done, 1500))
+    await route.fulfill({ response })
+  })
+  await eraseMast(page)
+  assert.equal(held, 1)
+  assert.equal(await page.evaluate(() => window.strandline.session.now.planning), false)
+})
+
+test('SVG and PNG are opened and dropped, each a project of its own', async () => {
+  const svg = join(root, 'drawings/hello.svg')
+  await page.click('text=Project')
+  await page.setInputFiles('input[type=file] >> nth=0', svg)
+  await page.waitForFunction(() => window.strandline.session.now.standing.id === 'hello')
+  await settled(page)
+  assert.ok((await elements(page)).length > 3)
+  const png = await page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(200, 200)
+    const ctx = canvas.getContext('2d')
+    ctx.fillStyle = '#fff'
+    ctx.fillRect(0, 0, 200, 200)
+    ctx.fillStyle = '#000'
+    ctx.fillRect(40, 40, 120, 120)
+    const bytes = new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())
+    const transfer = new DataTransfer()
+    transfer.items.add(new File([bytes], 'square.png', { type: 'image/png' }))
+    document.querySelector('.app').dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }))
+    return bytes.length
+  })
+  assert.ok(png > 0)
+  await page.waitForFunction(() => window.strandline.session.now.standing.id === 'square')
+  await settled(page)
+  assert.equal((await elements(page))[0].kind, 'region')
+  await page.click('text=Project')
+  await page.locator('.sheet').getByRole('button', { name: 'drawing', exact: true }).click()
+  await page.waitForFunction(() => window.strandline.session.now.standing.id === 'drawing')
+})
+
+test('another drawing takes the place of this one, and undo brings it back', async () => {
+  await page.click('text=Project')
+  await edited(page, () => page.setInputFiles('input[type=file] >> nth=1', join(root, 'drawings/hello.svg')))
+  assert.equal((await standing(page)).id, 'drawing')
+  assert.ok(!(await elements(page)).some((e) => e.id === 'mast'))
+  await edited(page, () => page.click('button[aria-label^="undo"]'))
+  assert.ok((await elements(page)).some((e) => e.id === 'mast'))
+})
+
+test('what is no drawing is refused in words', async () => {
+  const wrong = join(folder.path, 'notes.txt')
+  writeFileSync(wrong, 'no drawing')
+  await page.click('text=Project')
+  await page.setInputFiles('input[type=file] >> nth=0', wrong)
+  await page.locator('.hint.notice').filter({ hasText: 'neither SVG nor PNG' }).waitFor()
+  assert.equal((await standing(page)).id, 'drawing')
+})
+
+test('the project is saved as a file and opened again with its edits', async () => {
+  await eraseMast(page)
+  await page.click('text=Project')
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('text=Save a copy')])
+  const copy = join(folder.path, 'mine.json')
+  await download.saveAs(copy)
+  await page.click('text=Project')
+  await page.setInputFiles('input[type=file] >> nth=0', copy)
+  await page.waitForFunction(() => window.strandline.session.now.standing.id === 'mine')
+  await settled(page)
+  assert.equal((await standing(page)).edits.length, 1)
+})
+
+test('every export is a file with something in it', async () => {
+  const formats = await page.evaluate(() => window.strandline.session.now.about.exports.map((e) => e.name))
+  assert.ok(formats.length >= 6)
+  for (const format of formats) {
+    await page.click('text=Export')
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.locator('.sheet a.row').filter({ has: page.locator(`b:text-is("${format}")`) }).click(),
+    ])
+    assert.ok(readFileSync(await download.path()).length > 100, format)
+  }
+})
+
+test('a sketch begins on bare sand and is drawn by hand', async () => {
+  await page.click('text=Project')
+  await page.click('text=New sketch')
+  await page.waitForFunction(() => window.strandline.session.now.standing.id === 'sketch')
+  await settled(page)
+  await page.getByRole('alert').waitFor()
+  await page.keyboard.press('d')
+  await page.waitForTimeout(100)
+  const box = await page.locator('.canvas').boundingBox()
+  const now = await edited(page, async () => {
+    await page.mouse.move(box.x + 200, box.y + 300)
+    await page.mouse.down()
+    await page.mouse.move(box.x + 500, box.y + 200, { steps: 8 })
+    await page.mouse.up()
+  })
+  assert.equal(now.failure, null)
+  assert.equal((await elements(page)).length, 1)
+})

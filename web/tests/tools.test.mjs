@@ -1,0 +1,181 @@
+// Every tool, from the mouse to the new plan.
+import assert from 'node:assert/strict'
+import { after, before, beforeEach, test } from 'node:test'
+import { join } from 'node:path'
+import { at, click, drag, edited, elements, openEditor, root, settled, standing, startBrowser, startServer, tempFolder, view } from './editor.mjs'
+
+let browser, server, folder, page
+before(async () => {
+  browser = await startBrowser()
+  folder = tempFolder()
+  server = await startServer(folder.path, join(root, 'web/tests/drawing.svg'))
+  page = await openEditor(browser, server.url)
+  await settled(page)
+})
+after(async () => {
+  assert.deepEqual(page.faults, [])
+  assert.deepEqual(page.foreign, [], 'no request leaves the machine')
+  await browser.close()
+  await server.kill()
+  folder.remove()
+})
+beforeEach(async () => {
+  await page.keyboard.press('Escape')
+  await page.evaluate(() => window.strandline.view.set({ selected: '', tab: 'plan', time: null }))
+  while ((await standing(page)).undo.count > 0) await edited(page, () => page.click('button[aria-label^="undo"]'))
+})
+
+const edits = async () => (await standing(page)).edits
+
+test('select shows the element, Delete erases it, undo and redo bring it back and away', async () => {
+  await click(page, 4.5, 7)
+  assert.equal((await view(page)).selected, 'mast')
+  await page.getByRole('region', { name: 'Element' }).getByText('mast').waitFor()
+  await edited(page, () => page.keyboard.press('Delete'))
+  assert.ok(!(await elements(page)).some((e) => e.id === 'mast'))
+  await edited(page, () => page.keyboard.press('Control+z'))
+  assert.ok((await elements(page)).some((e) => e.id === 'mast'))
+  await edited(page, () => page.keyboard.press('Control+Shift+z'))
+  assert.ok(!(await elements(page)).some((e) => e.id === 'mast'))
+})
+
+test('connect ties two nodes, and a new connection replaces the old', async () => {
+  await page.keyboard.press('c')
+  await click(page, 4.5, 4.5)
+  await edited(page, () => click(page, 2, 2))
+  const [link] = await edits()
+  assert.deepEqual([link.edit, link.a[0], link.b[0]], ['link', 'mast', 'wave'])
+  const order = await page.evaluate(() => {
+    const { drive, drawing } = window.strandline.session.now
+    return drive.strokes.map((s) => drawing.elements[s.element].id).filter((id) => id === 'mast' || id === 'wave')
+  })
+  assert.equal(order.length, 2)
+  await page.keyboard.press('c')
+  await click(page, 4.5, 4.5)
+  await edited(page, () => click(page, 12.5, 2))
+  assert.equal((await edits()).length, 1)
+  assert.equal((await edits())[0].b[1], -1)
+})
+
+test('Escape lets a connection go that was begun', async () => {
+  await page.keyboard.press('c')
+  await click(page, 4.5, 4.5)
+  assert.match((await view(page)).hint, /From mast/)
+  await page.keyboard.press('Escape')
+  assert.equal((await view(page)).tool, 'select')
+  assert.deepEqual(await edits(), [])
+})
+
+test('start is where the drive begins', async () => {
+  await page.keyboard.press('s')
+  const now = await edited(page, () => click(page, 12.5, 2))
+  assert.equal(now.settings['tour.has_start'], 'on')
+  const first = await page.evaluate(() => {
+    const { samples } = window.strandline.session.now
+    return Math.hypot(samples.rakeX[0] - 12.5, samples.rakeY[0] - 2)
+  })
+  assert.ok(first < 3, `begins ${first} m away`)
+})
+
+test('entry is where a closed line is entered', async () => {
+  await page.keyboard.press('n')
+  const nodes = (await elements(page)).find((e) => e.id === 'sun').nodes
+  await edited(page, () => click(page, nodes[4], nodes[5]))
+  assert.deepEqual(await edits(), [{ edit: 'entry', at: ['sun', 2] }])
+  const entered = await page.evaluate(() => {
+    const { drive, drawing } = window.strandline.session.now
+    const sun = drawing.elements.findIndex((e) => e.id === 'sun')
+    return drive.strokes.find((s) => s.element === sun).node
+  })
+  assert.equal(entered, 2)
+})
+
+test('fill sets the style by a click and the direction by a drag', async () => {
+  await page.keyboard.press('f')
+  await page.selectOption('.options select >> nth=0', 'spiral')
+  await edited(page, () => click(page, 6, 6.5))
+  assert.equal((await elements(page)).find((e) => e.id === 'sail').hints['fill-style'], 'spiral')
+  await edited(page, () => drag(page, [[5.6, 5.5], [6.6, 6.5]]))
+  const { hints } = (await elements(page)).find((e) => e.id === 'sail')
+  assert.deepEqual([hints['fill-style'], hints['fill-direction'], hints['fill-best-direction']], ['zigzag', '45deg', 'off'])
+})
+
+test('fill of a segment, and cut', async () => {
+  await page.keyboard.press('x')
+  await edited(page, () => drag(page, [[4.9, 6.5], [10, 6.5]]))
+  assert.match((await elements(page)).find((e) => e.id === 'sail').hints['fill-cuts'], /^[\d.]+,[\d.]+ [\d.]+,[\d.]+$/)
+  await page.keyboard.press('f')
+  await page.selectOption('.options select >> nth=1', 'segment')
+  await edited(page, () => drag(page, [[5.6, 5.3], [6.6, 5.3]]))
+  await page.selectOption('.options select >> nth=1', 'area')
+  assert.match((await elements(page)).find((e) => e.id === 'sail').hints['fill-segments'], /direction=0deg$/)
+})
+
+test('draw makes a smooth line, closed where its ends meet', async () => {
+  await page.keyboard.press('d')
+  await edited(page, () => drag(page, [[8, 11], [9, 11.5], [10, 11], [11, 11.5], [12, 11]]))
+  const ring = Array.from({ length: 13 }, (_, i) => [3 + Math.cos((i * Math.PI) / 6), 11.5 + Math.sin((i * Math.PI) / 6)])
+  await edited(page, () => drag(page, ring))
+  const drawn = (await elements(page)).filter((e) => e.id.startsWith('pen'))
+  assert.deepEqual(drawn.map((e) => e.closed), [false, true])
+  assert.ok(drawn[0].nodes.length < 20, 'smoothed into few curves')
+})
+
+test('text is written where the canvas is clicked', async () => {
+  await page.keyboard.press('t')
+  await page.fill('.options textarea', 'Sea')
+  await edited(page, () => click(page, 6, 10))
+  const letters = (await elements(page)).filter((e) => e.id.startsWith('text1'))
+  assert.ok(letters.length >= 3)
+  assert.ok(letters.every((e) => e.points.every((v, i) => (i % 2 === 0 ? v > 5.9 : v > 9.4))))
+})
+
+test('erase takes out what is dragged across', async () => {
+  await page.keyboard.press('e')
+  await edited(page, () => drag(page, [[4, 8], [4.5, 8], [4.9, 8]]))
+  assert.deepEqual((await edits()).map((e) => [e.element, e.value]), [['mast', 'off']])
+})
+
+test('order is dragged in the list, kept, and left to the planner again', async () => {
+  await page.click('role=tab[name="Order"]')
+  const names = () => page.$$eval('.order .name', (rows) => rows.map((row) => row.textContent.replace(/^\d+/, '').replace(/(area|[\d.]+ m)$/, '')))
+  const before = await names()
+  const from = await page.locator('.order .handle').nth(4).boundingBox()
+  const to = await page.locator('.order .handle').nth(0).boundingBox()
+  await edited(page, async () => {
+    await page.mouse.move(from.x + 10, from.y + 10)
+    await page.mouse.down()
+    await page.mouse.move(to.x + 12, to.y + 8, { steps: 6 })
+    await page.mouse.up()
+  })
+  assert.deepEqual(await names(), [before[4], ...before.slice(0, 4)])
+  await page.locator('.order .name').nth(0).focus()
+  await edited(page, () => page.keyboard.press('Alt+ArrowDown'))
+  assert.deepEqual((await names()).slice(0, 2), [before[0], before[4]])
+  await edited(page, () => page.click('text=Leave the order to the planner'))
+  assert.deepEqual(await edits(), [])
+})
+
+test('a finger draws, two fingers move the view and draw nothing', async () => {
+  await page.keyboard.press('d')
+  const camera = () => page.evaluate(() => ({ ...window.strandline.stage.camera }))
+  const before = await camera()
+  const p = await at(page, 7, 7)
+  await page.evaluate(
+    ([x, y]) => {
+      const { host } = window.strandline.stage
+      const send = (type, id, dx, dy) =>
+        host.dispatchEvent(new PointerEvent(type, { pointerId: id, pointerType: 'touch', clientX: x + dx, clientY: y + dy, bubbles: true, button: 0 }))
+      send('pointerdown', 11, 0, 0)
+      send('pointerdown', 12, 100, 0)
+      for (let i = 0; i <= 10; i++) send('pointermove', 12, 100 + 10 * i, 0)
+      send('pointerup', 12, 200, 0)
+      send('pointerup', 11, 0, 0)
+    },
+    [p.x, p.y],
+  )
+  const now = await camera()
+  assert.ok(Math.abs(now.scale / before.scale - 2) < 0.05, `zoomed by ${now.scale / before.scale}`)
+  assert.deepEqual(await edits(), [])
+  await page.keyboard.press('0')
+})
