@@ -1,6 +1,8 @@
 // Laws of the search on random problems.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "path/tour/model.hpp"
 #include "path/tour/order.hpp"
 #include "path/tour/search.hpp"
@@ -84,9 +86,15 @@ TEST(TourLaws, PolygonsOfManyVerticesAreProvenAsByAllSets) {
     }
 }
 
+/// Random problems a law is tried on; STRANDLINE_LAW_CASES asks for more (CONTRIBUTING.md).
+std::uint64_t cases_of_law(std::uint64_t usual) {
+    const char* asked = std::getenv("STRANDLINE_LAW_CASES");
+    return asked ? std::max<std::uint64_t>(usual, std::strtoull(asked, nullptr, 10)) : usual;
+}
+
 TEST(TourLaws, WithRulesTheTourIsTheBestOfAllAllowedOrdersOrRefused) {
     int solved = 0, refused = 0;
-    for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    for (std::uint64_t seed = 1; seed <= cases_of_law(600); ++seed) {
         Dice dice{std::mt19937_64(seed)};
         Problem problem = random_problem(dice, 1 + dice.below(5));
         add_rules(dice, problem);
@@ -116,7 +124,7 @@ TEST(TourLaws, WithRulesTheTourIsTheBestOfAllAllowedOrdersOrRefused) {
 
 TEST(TourLaws, LargerProblemsKeepTheirRulesToo) {
     int solved = 0;
-    for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    for (std::uint64_t seed = 1; seed <= cases_of_law(80); ++seed) {
         Dice dice{std::mt19937_64(seed)};
         Problem problem = random_problem(dice, 45 + dice.below(20));
         add_rules(dice, problem);

