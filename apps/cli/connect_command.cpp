@@ -62,7 +62,7 @@ Outcome<std::vector<stages::Pair>> read_pairs(std::string_view text, const std::
 struct Led {
     connect::Connection connection;
     bool round = false;
-    std::optional<std::string> failure;
+    std::optional<std::string> failure = {};
 };
 Led led_round(const stages::Pair& pair, connect::Connection direct, bool refined) {
     if (!stages::hits_obstacles(pair, direct.curve)) return {std::move(direct)};

@@ -73,13 +73,16 @@ TEST(Route, ASquareInTheWayIsPassedOnItsNearSideJustAtTheClearance) {
 
 TEST(Route, TheFieldIsNotLeft) {
     Ground ground({.clearance = 0.2});
-    ground.add_field({{{0, 0}, {6, 0}, {6, 6}, {4, 6}, {4, 2}, {2, 2}, {2, 6}, {0, 6}}, {}});  // a U
+    const Polygon field{{0, 0}, {6, 0}, {6, 6}, {4, 6}, {4, 2}, {2, 2}, {2, 6}, {0, 6}};  // a U
+    ground.add_field({field, {}});
     const CurvatureState from{{{1, 5}, -pi / 2}, 0}, to{{{5, 5}, pi / 2}, 0};
     const Way way = route::way(ground, from, to, {.limits = limits});
     expect_drivable(way, from, to, limits);
     EXPECT_EQ(way.blemish, 0);
-    for (const CurvePoint& p : sampled(way.curve, 0.02))
-        EXPECT_TRUE(p.pose.at.y < 1.81 || p.pose.at.x < 1.81 || p.pose.at.x > 4.19);
+    for (const CurvePoint& p : sampled(way.curve, 0.02)) {
+        EXPECT_TRUE(contains(field, p.pose.at));
+        EXPECT_GE(distance_to_outline(field, p.pose.at), 0.2);
+    }
 }
 
 TEST(Route, WhereNoWayIsTheLeastBadOneIsTakenAndSaid) {

@@ -22,6 +22,8 @@ constexpr double margin = 0.001;
 constexpr double string_margin = 0.006;
 /// Blemishes are measured by steps of this.
 constexpr double blemish_step = 0.01;
+/// Those of straight parts of strings, which are only weighed against each other, by longer ones.
+constexpr double weighed_step = 0.05;
 /// A corner turns by more than this, radians.
 constexpr double least_corner = 0.001;
 
@@ -176,7 +178,7 @@ double Ground::traced_length(double length, At&& at) const {
 }
 
 template <class At>
-double Ground::traced_blemish(double length, At&& at) const {
+double Ground::traced_blemish(double length, double least_step, At&& at) const {
     double sum = 0;
     bool inside = forbidden(at(0)), near = false;
     for (double s = 0; s < length;) {
@@ -184,7 +186,7 @@ double Ground::traced_blemish(double length, At&& at) const {
         const double room = room_at(p);
         if (room >= margin && near) inside = forbidden(p);  // an edge may have been crossed
         near = room < margin;
-        const double step = std::min(std::max(room, blemish_step), length - s);
+        const double step = std::min(std::max(room, least_step), length - s);
         if (near || inside) sum += step;
         s += step;
     }
@@ -224,11 +226,13 @@ bool Ground::clear(Point from, Point to) const {
     const Point ahead = normalized(to - from);
     return room_at(to) >= margin && traced_length(whole, [&](double s) { return from + s * ahead; }) >= whole;
 }
-double Ground::blemish(const Curve& curve) const { return traced_blemish(length(curve), Along{curve}); }
+double Ground::blemish(const Curve& curve) const {
+    return traced_blemish(length(curve), blemish_step, Along{curve});
+}
 double Ground::blemish(Point from, Point to) const {
     const double whole = distance(from, to);
     const Point ahead = normalized(to - from);
-    return traced_blemish(whole, [&](double s) { return from + s * ahead; });
+    return traced_blemish(whole, weighed_step, [&](double s) { return from + s * ahead; });
 }
 
 }  // namespace strandline::route

@@ -16,16 +16,18 @@ constexpr double rings[] = {0.8, 1.6, 2.8};
 constexpr int ring_poses = 8, headings = 8;
 /// Strings also begin (and end) after a turn by a multiple of this, and straight parts of so many least
 /// radii.
-constexpr double turn_step = 0.4;
-constexpr double straight_steps[] = {0.2, 1, 2.5, 5};
+constexpr double turn_step = 0.6;
+constexpr double straight_steps[] = {0.3, 1.5, 4};
 /// A way is good when it is no longer than this many times what is surely needed.
-constexpr double good_enough = 1.08;
+constexpr double good_enough = 1.1;
 /// A detour is not longer than this (least radii).
 constexpr double longest_detour = 14;
 
 /// Detours that leave the clearance, where no other is: so many of them.
 constexpr std::size_t most_blemished = 30;
 
+/// Another way is sought that is shorter than this share of the one at hand.
+constexpr double worthwhile = 0.97;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 struct End {
@@ -50,7 +52,8 @@ class Finder {
             const double needed =
                 std::max(length(direct), best ? taut_length(ground_, from_.pose.at, to_.pose.at) : 0);
             if (best && length(best->curve) <= good_enough * needed) return *best;
-            auto other = over_strings(turned(true), turned(false), best ? length(best->curve) : unlimited);
+            auto other = over_strings(turned(true), turned(false),
+                                      best ? worthwhile * length(best->curve) : unlimited);
             if (other && (!best || length(other->curve) < length(best->curve))) best = std::move(other);
             if (best) return *best;
         }

@@ -54,6 +54,7 @@ class Ground {
     double clear_length(const Curve& curve) const;
     /// Metres of the curve that do not keep the clearance, to 1 cm a place.
     double blemish(const Curve& curve) const;
+    /// The same of a straight part, to 5 cm.
     double blemish(Point from, Point to) const;
 
     double clearance() const { return options_.clearance; }
@@ -88,7 +89,7 @@ class Ground {
     template <class At>
     double traced_length(double length, At&& at) const;
     template <class At>
-    double traced_blemish(double length, At&& at) const;
+    double traced_blemish(double length, double least_step, At&& at) const;
 
     GroundOptions options_;
     Box box_;  ///< of the cells

@@ -12,7 +12,7 @@ namespace {
 /// Turns by less than this (radians) backwards are rounding.
 constexpr double turn_slack = 1e-6;
 /// A search that weighs blemishes takes no more nodes than this.
-constexpr std::size_t most_weighed = 100;
+constexpr std::size_t most_weighed = 40;
 
 /// The angle from one heading to another turning to `side`, in [0, 2 pi) but for rounding.
 double turning(double from, double to, double side) {
@@ -48,6 +48,7 @@ class Search {
     }
 
     std::optional<String> run() {
+        if (!quest_.blemish_weight && !can_end()) return std::nullopt;
         for (int node = first_start_; node < first_end_; ++node) {
             const Anchor& anchor = start(node);
             queue_.push({anchor.cost + to_come(anchor.pose.at), anchor.cost, node, -1, {}, -1, true});
@@ -108,6 +109,21 @@ class Search {
         const double curvature = (forwards ? side : -side) / radius;
         const double arc = quest_.ground.clear_length({pose, {{2 * pi * radius, curvature, 0}}});
         return arc >= 2 * pi * radius ? 2 * pi + 1 : arc / radius;
+    }
+
+    /// Whether any straight part leads to an end: what cannot be come to is not searched for.
+    bool can_end() {
+        for (int last = first_end_; last < nodes_; ++last) {
+            const Circle b = circle(last);
+            const double arrives = end(last).pose.heading;
+            for (int node = 0; node < first_end_; ++node) {
+                const auto edge = taut_tangent(circle(node), corner_or_none(node), b, nullptr);
+                if (edge && turning(heading(edge->ahead), arrives, b.side) <= arc_of(last) &&
+                    quest_.ground.clear(edge->from, edge->to))
+                    return true;
+            }
+        }
+        return false;
     }
 
     /// What labels at one corner are compared by: the cost of having come round to the middle of its cone.

@@ -66,7 +66,7 @@ struct Quest {
     double limit = std::numeric_limits<double>::infinity();  ///< costs above this are of no use
 };
 /// The cheapest string that is not banned; nullopt: none within the limit. O(nodes taken x their links), and
-/// corners for each start; with a blemish weight O(nodes taken x corners), and given up after some 100 nodes.
+/// corners for each start; with a blemish weight O(nodes taken x corners), and given up after 40 nodes.
 std::optional<String> taut_string(const Quest& quest, const Bans& bans);
 
 struct Driven {
