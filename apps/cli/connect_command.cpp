@@ -64,7 +64,7 @@ struct Led {
     bool round = false;
     std::optional<std::string> failure = {};
 };
-Led led_round(const stages::Pair& pair, connect::Connection direct, bool refined) {
+Led led_round(const stages::Pair& pair, connect::Connection direct) {
     if (!stages::hits_obstacles(pair, direct.curve)) return {std::move(direct)};
     if (!pair.through.empty())
         return {
@@ -72,7 +72,7 @@ Led led_round(const stages::Pair& pair, connect::Connection direct, bool refined
             "the curve comes nearer to an obstacle than the clearance; poses to be met are not led round"};
     route::Ground ground({.clearance = pair.clearance});
     for (const Polygon& ring : pair.obstacles) ground.add(Region{ring, {}});
-    route::Way way = route::way(ground, pair.from, pair.to, {.limits = pair.limits, .refined = refined});
+    route::Way way = route::way(ground, pair.from, pair.to, {.limits = pair.limits});
     Led led{{0, 0, std::move(way.curve), std::move(direct.broken)}, true};
     if (way.blemish > 0 || stages::hits_obstacles(pair, led.connection.curve))
         led.failure = fmt::format(
@@ -110,7 +110,7 @@ int connect(const ConnectArguments& arguments, const Common& common) {
             error.place = fmt::format("pair {}, {}", i + 1, error.place);
             return complain(error, bad_input);
         }
-        const Led led = led_round(pair, *made, !arguments.quick);
+        const Led led = led_round(pair, *made);
         if (!led.connection.broken.empty()) ++fallbacks;
         if (led.round) ++round;
         if (led.failure) ++blocked;

@@ -9,7 +9,7 @@ namespace strandline::route {
 namespace {
 
 /// Strings that are tried before detours, and with them.
-constexpr int most_strings = 24;
+constexpr int most_strings = 12;
 /// Detours at an end lead to poses on rings of these radii (least radii), this many on each, with so many
 /// headings.
 constexpr double rings[] = {0.8, 1.6, 2.8};
@@ -33,6 +33,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 struct End {
     Anchor anchor;
     Curve curve;  ///< between it and the real end
+    bool blemished = false;
 };
 
 class Finder {
@@ -57,11 +58,13 @@ class Finder {
             if (other && (!best || length(other->curve) < length(best->curve))) best = std::move(other);
             if (best) return *best;
         }
-        if (auto way = over_strings(detours(true), detours(false))) {
-            way->blemish = ground_.blemish(way->curve);
-            return *way;
-        }
-        return least_bad(std::move(direct));
+        const std::vector<End> starts = detours(true), ends = detours(false);
+        // where one end only is hemmed in, the other needs no detours
+        best = over_strings(hemmed_in(starts) ? starts : itself(from_), hemmed_in(ends) ? ends : itself(to_));
+        if (!best) best = over_strings(starts, ends);
+        if (!best) return least_bad(std::move(direct));
+        best->blemish = ground_.blemish(best->curve);
+        return *best;
     }
 
   private:
@@ -88,6 +91,10 @@ class Finder {
         return std::nullopt;
     }
 
+    /// Whether all detours at an end leave the clearance.
+    bool hemmed_in(const std::vector<End>& detours) const {
+        return std::ranges::all_of(detours, [&](const End& end) { return end.blemished; });
+    }
     static std::vector<End> itself(const CurvatureState& end) { return {{{end.pose, 0}, {end.pose, {}}}}; }
 
     /// The end itself, and poses that a turn and a straight part of some length lead to, as far as there is
@@ -157,13 +164,14 @@ class Finder {
                 }
             }
         if (clear.empty()) {
-            for (End& other : others)
+            for (End& other : others) {
                 other.anchor.cost += options_.blemish_weight * ground_.blemish(other.curve);
+                other.blemished = true;
+            }
             std::ranges::sort(others, {}, [](const End& e) { return e.anchor.cost; });
             others.resize(std::min(others.size(), most_blemished));
             clear = std::move(others);
         }
-        if (ground_.clear(end.pose.at)) clear.push_back({{end.pose, 0}, {end.pose, {}}});
         return clear;
     }
 

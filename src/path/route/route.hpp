@@ -107,7 +107,6 @@ struct Options {
     CurveLimits limits{};  ///< radius above 0
     /// What a metre that does not keep the clearance costs, in metres of way.
     double blemish_weight = 20;
-    bool refined = false;  ///< the ends' curves searched thoroughly: a little shorter, some 0.5 ms more
 };
 /// G2 and within the limits always.
 struct Way {

@@ -43,7 +43,10 @@ class Search {
           nodes_(first_end_ + 2 * static_cast<int>(quest.ends.size())),
           best_(static_cast<std::size_t>(first_start_), std::numeric_limits<double>::infinity()),
           target_(quest.ends.front().pose.at) {
-        for (const Anchor& end : quest.ends) spread_ = std::max(spread_, distance(end.pose.at, target_));
+        for (const Anchor& end : quest.ends) {
+            spread_ = std::max(spread_, distance(end.pose.at, target_));
+            least_after_ = std::min(least_after_, end.cost);
+        }
         arcs_.assign(static_cast<std::size_t>(nodes_ - first_start_), -1);
     }
 
@@ -97,7 +100,7 @@ class Search {
         return beside(is_start(node) ? start(node).pose : end(node).pose, side_of(node), quest_.radii);
     }
     /// No more than what is to come from there.
-    double to_come(Point p) const { return std::max(0.0, distance(p, target_) - spread_); }
+    double to_come(Point p) const { return std::max(0.0, distance(p, target_) - spread_) + least_after_; }
 
     /// How far the robot's own circle at a start or end is clear, radians.
     double clear_arc(int node) const {
@@ -230,7 +233,7 @@ class Search {
     int first_start_, first_end_, nodes_;
     std::vector<double> best_;
     Point target_;
-    double spread_ = 0;
+    double spread_ = 0, least_after_ = std::numeric_limits<double>::infinity();
     std::vector<double> arcs_;  ///< clear ones of starts and ends; -1: not asked for yet
     std::priority_queue<Label> queue_;
     std::vector<Label> taken_;
