@@ -70,7 +70,9 @@ Led led_round(const stages::Pair& pair, connect::Connection direct) {
         return {
             std::move(direct), false,
             "the curve comes nearer to an obstacle than the clearance; poses to be met are not led round"};
-    route::Ground ground({.clearance = pair.clearance});
+    const double right = pair.limits.right_radius;
+    route::Ground ground({.clearance = pair.clearance,
+                          .radius = right > 0 ? std::min(right, pair.limits.radius) : pair.limits.radius});
     for (const Polygon& ring : pair.obstacles) ground.add(Region{ring, {}});
     route::Way way = route::way(ground, pair.from, pair.to, {.limits = pair.limits});
     Led led{{0, 0, std::move(way.curve), std::move(direct.broken)}, true};

@@ -9,25 +9,29 @@
 namespace strandline::route {
 namespace {
 
-constexpr double cell_size = 0.125;
+// All in least radii.
+constexpr double finest_cell = 0.25;
 /// Distances are known up to the clearance and this.
-constexpr double far_reach = 0.5;
+constexpr double far_reach = 1;
 /// Points nearer to an edge than the clearance and this have it measured.
-constexpr double near_reach = 0.06;
+constexpr double near_reach = 0.12;
+/// Strings are drawn round outlines thinned by this, that much farther out.
+constexpr double string_tolerance = 0.04;
 /// Outlines are thinned by this for checking, and kept that much farther from.
-constexpr double outline_tolerance = 0.001;
+constexpr double outline_tolerance = 0.002;
 /// Curves keep this much more than the clearance, so that proofs end: steps are at least as long.
-constexpr double margin = 0.001;
+constexpr double margin = 0.002;
 /// Strings are drawn this much farther out than that, so that steps along them are longer.
-constexpr double string_margin = 0.006;
+constexpr double string_margin = 0.012;
 /// Blemishes are measured by steps of this.
-constexpr double blemish_step = 0.01;
+constexpr double blemish_step = 0.02;
 /// Those of straight parts of strings, which are only weighed against each other, by longer ones.
-constexpr double weighed_step = 0.05;
+constexpr double weighed_step = 0.1;
+
+/// Cells are made larger where there would be more of them.
+constexpr double most_cells = 4e6;
 /// A corner turns by more than this, radians.
 constexpr double least_corner = 0.001;
-
-const double half_diagonal = cell_size / std::numbers::sqrt2;
 
 Polygon without_area_on_right(Polygon ring, bool obstacle_inside) {
     if ((signed_area(ring) > 0) != obstacle_inside) std::ranges::reverse(ring);
@@ -47,73 +51,72 @@ void append_corners(std::vector<Corner>& corners, const Polygon& ring) {
 
 }  // namespace
 
-Ground::Ground(GroundOptions options) : options_(options) {}
+Ground::Ground(GroundOptions options) : options_(options), cell_size_(finest_cell * options.radius) {}
 
-double Ground::reach() const { return options_.clearance + far_reach; }
-double Ground::exact_within() const { return options_.clearance + near_reach; }
+double Ground::reach() const { return options_.clearance + share(far_reach); }
+double Ground::exact_within() const { return options_.clearance + share(near_reach); }
 double Ground::string_offset() const {
-    return options_.clearance + options_.detail + outline_tolerance + margin + string_margin;
+    return options_.clearance + share(string_tolerance + outline_tolerance + margin + string_margin);
 }
 
 std::size_t Ground::cell_of(Point p) const {
-    const auto column = static_cast<std::size_t>((p.x - box_.low.x) / cell_size);
-    const auto row = static_cast<std::size_t>((p.y - box_.low.y) / cell_size);
-    return std::min(row, rows_ - 1) * columns_ + std::min(column, columns_ - 1);
+    const auto at = [&](double along, std::size_t count) {
+        return along > 0 ? std::min(static_cast<std::size_t>(along / cell_size_), count - 1) : 0;
+    };
+    return at(p.y - box_.low.y, rows_) * columns_ + at(p.x - box_.low.x, columns_);
+}
+
+Point Ground::middle_of(std::size_t cell) const {
+    return box_.low + cell_size_ * Point{static_cast<double>(cell % columns_) + 0.5,
+                                         static_cast<double>(cell / columns_) + 0.5};
 }
 
 void Ground::grow_to(Box box) {
     if (!cells_.empty() && contains(box_, box.low) && contains(box_, box.high)) return;
-    // half as much again on each side: so that growing is rare
-    const Box whole = united(box_, box);
-    const double spare = std::max(whole.width(), whole.height()) / 2;
-    Box next = cells_.empty() ? box : grown(whole, spare);
-    // whole cells from the old ones' corner
-    const Point anchor = cells_.empty() ? box.low : box_.low;
-    const auto snapped = [](double x, double from) {
-        return from + std::floor((x - from) / cell_size) * cell_size;
-    };
-    next.low = {snapped(next.low.x, anchor.x), snapped(next.low.y, anchor.y)};
-    const auto columns = static_cast<std::size_t>(next.width() / cell_size) + 1;
-    const auto rows = static_cast<std::size_t>(next.height() / cell_size) + 1;
-    std::vector<Cell> cells(columns * rows, Cell{reach(), {}});
-    const auto left = static_cast<std::size_t>(std::lround((anchor.x - next.low.x) / cell_size));
-    const auto below = static_cast<std::size_t>(std::lround((anchor.y - next.low.y) / cell_size));
-    for (std::size_t row = 0; row < rows_; ++row)
-        for (std::size_t column = 0; column < columns_; ++column)
-            cells[(row + below) * columns + column + left] = std::move(cells_[row * columns_ + column]);
-    next.high = next.low + cell_size * Point{static_cast<double>(columns), static_cast<double>(rows)};
-    box_ = next;
-    columns_ = columns;
-    rows_ = rows;
-    cells_ = std::move(cells);
+    if (!cells_.empty()) {  // half as much again on each side: so that growing is rare
+        box = united(box_, box);
+        box = grown(box, std::max(box.width(), box.height()) / 2);
+    }
+    lay_cells(box);
+    for (std::size_t i = 0; i < edges_.size(); ++i) list_edge(i);
+}
+
+void Ground::lay_cells(Box box) {
+    while ((box.width() / cell_size_ + 1) * (box.height() / cell_size_ + 1) > most_cells) cell_size_ *= 2;
+    columns_ = static_cast<std::size_t>(box.width() / cell_size_) + 1;
+    rows_ = static_cast<std::size_t>(box.height() / cell_size_) + 1;
+    box_ = {box.low, box.low + cell_size_ * Point{static_cast<double>(columns_), static_cast<double>(rows_)}};
+    cells_.assign(columns_ * rows_, Cell{reach(), {}});
 }
 
 void Ground::add_ring(const Polygon& ring) {
-    const double listed = exact_within() + half_diagonal;
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-        const Edge edge{ring[j], ring[i]};
-        const int number = static_cast<int>(edges_.size());
-        edges_.push_back(edge);
-        const Box near = grown(including(including(Box{}, edge.a), edge.b), reach());
-        const std::size_t first = cell_of(near.low), last = cell_of(near.high);
-        for (std::size_t row = first / columns_; row <= last / columns_; ++row)
-            for (std::size_t column = first % columns_; column <= last % columns_; ++column) {
-                const Point middle = box_.low + cell_size * Point{static_cast<double>(column) + 0.5,
-                                                                  static_cast<double>(row) + 0.5};
-                Cell& cell = cells_[row * columns_ + column];
-                const double d = distance_to_segment(middle, edge.a, edge.b);
-                cell.distance = std::min(cell.distance, d);
-                if (d < listed) cell.edges.push_back(number);
-            }
+        edges_.push_back({ring[j], ring[i]});
+        list_edge(edges_.size() - 1);
     }
 }
 
+void Ground::list_edge(std::size_t number) {
+    const Edge& edge = edges_[number];
+    const double listed = exact_within() + cell_size_ / std::numbers::sqrt2;
+    const Box near = grown(including(including(Box{}, edge.a), edge.b), std::max(reach(), listed));
+    const std::size_t first = cell_of(near.low), last = cell_of(near.high);
+    for (std::size_t row = first / columns_; row <= last / columns_; ++row)
+        for (std::size_t column = first % columns_; column <= last % columns_; ++column) {
+            const Point middle = middle_of(row * columns_ + column);
+            Cell& cell = cells_[row * columns_ + column];
+            const double d = distance_to_segment(middle, edge.a, edge.b);
+            cell.distance = std::min(cell.distance, d);
+            if (d < listed) cell.edges.push_back(static_cast<int>(number));
+        }
+}
+
 void Ground::add(const Region& obstacle) {
-    grow_to(grown(strandline::bounds(obstacle), reach() + cell_size));
+    grow_to(grown(strandline::bounds(obstacle), reach() + cell_size_));
     const auto take = [&](const Polygon& ring, bool inside) {
         const Polygon turned = without_area_on_right(ring, inside);
-        add_ring(thinned_outline(turned, outline_tolerance));
-        append_corners(corners_, thinned_outline(turned, options_.detail));
+        add_ring(thinned_outline(turned, share(outline_tolerance)));
+        append_corners(corners_, thinned_outline(turned, share(string_tolerance)));
     };
     take(obstacle.outer, true);
     for (const Polygon& hole : obstacle.holes) take(hole, false);
@@ -127,11 +130,11 @@ void Ground::add(const Regions& obstacles) {
 }
 
 void Ground::add_field(const Region& field) {
-    grow_to(grown(strandline::bounds(field), reach() + cell_size));
+    grow_to(grown(strandline::bounds(field), reach() + cell_size_));
     const auto take = [&](const Polygon& ring, bool inside) {
         const Polygon turned = without_area_on_right(ring, inside);
-        add_ring(thinned_outline(turned, outline_tolerance));
-        append_corners(corners_, thinned_outline(turned, options_.detail));
+        add_ring(thinned_outline(turned, share(outline_tolerance)));
+        append_corners(corners_, thinned_outline(turned, share(string_tolerance)));
     };
     take(field.outer, false);
     for (const Polygon& hole : field.holes) take(hole, true);
@@ -148,13 +151,11 @@ bool Ground::forbidden(Point p) const {
 
 /// At most the distance to the nearest edge, less what is to be kept; that exactly where it is small.
 double Ground::room_at(Point p) const {
-    const double kept = options_.clearance + outline_tolerance;
+    const double kept = options_.clearance + share(outline_tolerance);
     if (cells_.empty() || !contains(box_, p)) return reach() - kept;
     const std::size_t at = cell_of(p);
     const Cell& cell = cells_[at];
-    const Point middle = box_.low + cell_size * Point{static_cast<double>(at % columns_) + 0.5,
-                                                      static_cast<double>(at / columns_) + 0.5};
-    const double by_cell = cell.distance - distance(middle, p);
+    const double by_cell = cell.distance - distance(middle_of(at), p);
     if (by_cell >= exact_within()) return by_cell - kept;
     double least = exact_within();
     for (const int number : cell.edges) {
@@ -164,14 +165,14 @@ double Ground::room_at(Point p) const {
     return least - kept;
 }
 
-bool Ground::clear(Point p) const { return room_at(p) >= margin && !forbidden(p); }
+bool Ground::clear(Point p) const { return room_at(p) >= share(margin) && !forbidden(p); }
 
 /// Once the start is allowed, the rest is: nothing forbidden is reached without coming near an edge.
 template <class At>
 double Ground::traced_length(double length, At&& at) const {
     for (double s = 0;;) {
         const double room = room_at(at(s));
-        if (room < margin) return s;
+        if (room < share(margin)) return s;
         if (s >= length) return length;
         s = std::min(s + room, length);
     }
@@ -184,8 +185,8 @@ double Ground::traced_blemish(double length, double least_step, At&& at) const {
     for (double s = 0; s < length;) {
         const Point p = at(s);
         const double room = room_at(p);
-        if (room >= margin && near) inside = forbidden(p);  // an edge may have been crossed
-        near = room < margin;
+        if (room >= share(margin) && near) inside = forbidden(p);  // an edge may have been crossed
+        near = room < share(margin);
         const double step = std::min(std::max(room, least_step), length - s);
         if (near || inside) sum += step;
         s += step;
@@ -216,7 +217,7 @@ struct Along {
 bool Ground::clear(const Curve& curve) const {
     const double whole = length(curve);
     return !forbidden(curve.start.at) && traced_length(whole, Along{curve}) >= whole &&
-           room_at(end_pose(curve).at) >= margin;
+           room_at(end_pose(curve).at) >= share(margin);
 }
 double Ground::clear_length(const Curve& curve) const {
     return forbidden(curve.start.at) ? 0 : traced_length(length(curve), Along{curve});
@@ -224,15 +225,16 @@ double Ground::clear_length(const Curve& curve) const {
 bool Ground::clear(Point from, Point to) const {
     const double whole = distance(from, to);
     const Point ahead = normalized(to - from);
-    return room_at(to) >= margin && traced_length(whole, [&](double s) { return from + s * ahead; }) >= whole;
+    return room_at(to) >= share(margin) &&
+           traced_length(whole, [&](double s) { return from + s * ahead; }) >= whole;
 }
 double Ground::blemish(const Curve& curve) const {
-    return traced_blemish(length(curve), blemish_step, Along{curve});
+    return traced_blemish(length(curve), share(blemish_step), Along{curve});
 }
 double Ground::blemish(Point from, Point to) const {
     const double whole = distance(from, to);
     const Point ahead = normalized(to - from);
-    return traced_blemish(whole, weighed_step, [&](double s) { return from + s * ahead; });
+    return traced_blemish(whole, share(weighed_step), [&](double s) { return from + s * ahead; });
 }
 
 }  // namespace strandline::route

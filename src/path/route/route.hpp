@@ -27,8 +27,7 @@ struct Link {
 
 struct GroundOptions {
     double clearance = 0.35;  ///< metres that the turning point keeps from every obstacle, 0 and above
-    /// metres: strings are drawn round outlines thinned by this, that much farther out
-    double detail = 0.02;
+    double radius = 0.5;      ///< metres: the robot's least one; grids, margins and steps are shares of it
 };
 
 /// Obstacles: finished areas, keep-outs, and what lies outside the fields. Built once and added to. Links are
@@ -61,7 +60,7 @@ class Ground {
     /// How far from corners strings are drawn, so that they are clear for certain.
     double string_offset() const;
     std::span<const Corner> corners() const { return corners_; }
-    /// All of a node, clear or not. Some 5 us the first time.
+    /// All of a node, clear or not. O(corners) the first time.
     std::span<const Link> links(int node) const;
     /// Whether a node's link keeps the clearance; looked up once.
     bool link_clear(int node, std::size_t index) const;
@@ -81,11 +80,15 @@ class Ground {
     double room_at(Point p) const;
     bool forbidden(Point p) const;
     double reach() const;
+    double share(double of_radius) const { return of_radius * options_.radius; }
     double exact_within() const;
     void add_ring(const Polygon& ring);
     void add_links(int node, std::size_t first_corner, std::vector<Link>& list) const;
     void grow_to(Box box);
+    void lay_cells(Box box);
+    void list_edge(std::size_t number);
     std::size_t cell_of(Point p) const;
+    Point middle_of(std::size_t cell) const;
     template <class At>
     double traced_length(double length, At&& at) const;
     template <class At>
@@ -93,6 +96,7 @@ class Ground {
 
     GroundOptions options_;
     Box box_;  ///< of the cells
+    double cell_size_;
     std::size_t columns_ = 0, rows_ = 0;
     std::vector<Cell> cells_;
     std::vector<Edge> edges_;
@@ -121,8 +125,8 @@ struct Way {
 /// found lazily by A*; Pocchiola and Vegter, The visibility complex, 1996, have the graph), then driven: a
 /// continuous-curvature turn at each corner, placed so that it just keeps the clearance, and
 /// continuous_curvature at both ends. What cannot be driven is left out of the graph and the next string
-/// tried; then detours at the ends. Ends within obstacles or too near to them give a blemish. Some 0.1 ms
-/// where there is room.
+/// tried; then detours at the ends. Ends within obstacles or too near to them give a blemish. Some 0.5 ms
+/// where there is a way; docs/route.md has the times.
 Way way(const Ground& ground, const CurvatureState& from, const CurvatureState& to, const Options& options);
 
 /// Length of the shortest string from point to point at the string's offset from the corners, whatever the
