@@ -30,26 +30,26 @@ class Chooser {
             const Pairs& pairs, const Options& options)
         : from_(from), to_(to), finished_(finished), pairs_(pairs), options_(options) {}
 
-    Driven choose(std::vector<Passage>* tried) {
+    Driven choose(connect::Connection direct, std::vector<Passage>& tried) {
         const double turn_cost = options_.connect.turn_cost;
-        best_ = {connect::connection(from_, to_, options_.connect)};
+        best_ = {std::move(direct)};
         double turned = 0;
         for (const double turn : {best_.joint.turn_before, best_.joint.turn_after})
             if (turn != 0) turned += options_.connect.turn_start + turn_cost * std::abs(turn);
-        if (tried) tried->push_back(passage_of(best_.joint.curve, turned));
+        tried.push_back(passage_of(best_.joint.curve, turned));
         weigh(best_, turned);
         if (!options_.avoid.on || (best_.metres == 0 && best_.crossings == 0)) return best_;
         for (const Guess& guess : guesses()) {
             Driven other{{0, 0, led(guess.through)}, guess.through};
             weigh(other, 0);
-            if (tried) tried->push_back(passage_of(other.joint.curve, 0));
+            tried.push_back(passage_of(other.joint.curve, 0));
             if (other.cost < best_.cost) best_ = std::move(other);
         }
         if (best_.metres > 0) {
             route::Way way = route::way(finished_.ground, from_, to_, {.limits = options_.connect.limits});
             Driven other{{0, 0, std::move(way.curve)}, std::move(way.through)};
             weigh(other, 0);
-            if (tried) tried->push_back(passage_of(other.joint.curve, 0));
+            tried.push_back(passage_of(other.joint.curve, 0));
             if (other.cost < best_.cost) best_ = std::move(other);
         }
         return best_;
@@ -57,7 +57,8 @@ class Chooser {
 
   private:
     Passage passage_of(const Curve& curve, double turned) const {
-        return pairs_.passage(length(curve) + turned, curve, options_.avoid.area_cost);
+        return pairs_.passage(length(curve) + turned, curve,
+                              options_.avoid.area_cost * options_.avoid.near_share);
     }
     void weigh(Driven& driven, double turned) const {
         const Curve& curve = driven.joint.curve;
@@ -96,8 +97,10 @@ class Chooser {
                     if (after > 0) word = joined(std::move(word), straight(b, after * radius));
                     guess.cost = whole;
                     for (const Passage::Spoils& spoils :
-                         pairs_.passage(whole, word, options_.avoid.area_cost).spoils)
-                        if (finished_.groups[static_cast<std::size_t>(spoils.group)] != 0) guess.cost += spoils.cost;
+                         pairs_.passage(whole, word, options_.avoid.area_cost * options_.avoid.near_share)
+                             .spoils)
+                        if (finished_.groups[static_cast<std::size_t>(spoils.group)] != 0)
+                            guess.cost += spoils.cost;
                     if (guess.cost < best_.cost) found.push_back(std::move(guess));
                 }
             }
@@ -124,11 +127,31 @@ class Chooser {
     Driven best_;
 };
 
+bool same(const CurvatureState& a, const CurvatureState& b) {
+    return a.pose == b.pose && a.curvature == b.curvature;
+}
+
 }  // namespace
 
-Driven connected(const CurvatureState& from, const CurvatureState& to, const Finished& finished,
-                 const Pairs& pairs, const Options& options, std::vector<Passage>* tried) {
-    return Chooser(from, to, finished, pairs, options).choose(tried);
+Driven connected(const CurvatureState& from, const CurvatureState& to, connect::Connection direct,
+                 const Finished& finished, const Pairs& pairs, const Options& options,
+                 std::vector<Passage>& tried) {
+    return Chooser(from, to, finished, pairs, options).choose(std::move(direct), tried);
+}
+
+const Driven& Made::connected(std::uint64_t which, const CurvatureState& from, const CurvatureState& to,
+                              const Finished& finished, const Pairs& pairs, const Options& options) {
+    const auto [at, fresh] = made_.try_emplace(which);
+    One& one = at->second;
+    if (fresh || !same(one.from, from) || !same(one.to, to)) {
+        one = {from, to, connect::connection(from, to, options.connect), {}, {}, {}};
+    } else if (one.finished == finished.groups) {
+        return one.driven;
+    }
+    one.finished = finished.groups;
+    one.tried.clear();
+    one.driven = order::connected(from, to, one.direct, finished, pairs, options, one.tried);
+    return one.driven;
 }
 
 }  // namespace strandline::order

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "path/order/chain.hpp"
-#include "path/order/detours.hpp"
 
 namespace strandline::order {
 namespace {
@@ -23,20 +22,21 @@ Point begin_of(const Finished& finished, const Curve& curve) {
 struct Link {
     Planned planned;
     std::size_t place;  ///< of its group in the row
+    int number;         ///< within its group
     bool last;          ///< of its group
 };
 
 class Drafter {
   public:
     Drafter(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
-            Pairs* pairs, const std::vector<int>& row)
+            const Search* search)
         : job_(job),
           goings_(goings),
           robot_(robot),
           options_(options),
-          pairs_(pairs),
-          row_(row),
-          finished_{route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
+          search_(search),
+          finished_{route::Ground({.clearance = 0, .radius = options.avoid.radius}),
+                    route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
                     std::vector<char>(job.groups.size(), 0)} {}
 
     Draft make(const Progress& progress) {
@@ -72,6 +72,7 @@ class Drafter {
             const auto& [step, variant] = goings_[k];
             const Group& group = job_.groups[static_cast<std::size_t>(step.element)];
             answer_.variants[static_cast<std::size_t>(step.element)] = variant;
+            int number = 0;
             for (const Stroke& stroke : strokes_of(group, variant)) {
                 const bool closed = is_single(group) && stroke.closed;
                 const int index = static_cast<int>(answer_.strokes.size());
@@ -79,7 +80,7 @@ class Drafter {
                 const int node = closed ? step.entry : step.reversed ? end : 0;
                 answer_.strokes.push_back(stroke);
                 answer_.entries.push_back({index, node, step.reversed});
-                links.push_back({{index, rake_path_from(stroke, node, step.reversed)}, k, false});
+                links.push_back({{index, rake_path_from(stroke, node, step.reversed)}, k, number++, false});
             }
             links.back().last = true;
         }
@@ -112,17 +113,20 @@ class Drafter {
 
     void connect(const CurvatureState& from, const Link& last, const CurvatureState& to, const Link& next) {
         const int before = last.planned.stroke, after = next.planned.stroke;
-        std::vector<Passage> tried;
         Driven driven;
-        if (pairs_)
-            driven = connected(from, to, finished_, *pairs_, options_, &tried);
-        else
+        if (search_) {
+            const std::uint64_t which = static_cast<std::uint64_t>(search_->row[last.place]) << 42 |
+                                        static_cast<std::uint64_t>(search_->row[next.place]) << 21 |
+                                        static_cast<std::uint64_t>(next.number);
+            driven = search_->made.connected(which, from, to, finished_, search_->pairs, options_);
+            if (last.place != next.place)
+                search_->pairs.learn(search_->row[last.place], search_->row[next.place],
+                                     search_->made.tried(which));
+        } else {
             driven.joint = connect::connection(from, to, options_.connect);
-        const connect::Connection& joint = driven.joint;
-        if (last.place != next.place) {
-            cost_ += driven.cost;
-            if (pairs_) pairs_->learn(row_[last.place], row_[next.place], std::move(tried));
         }
+        const connect::Connection& joint = driven.joint;
+        if (last.place != next.place) cost_ += driven.cost;
         if (driven.metres > 0 || driven.crossings > 0)
             answer_.blemishes.push_back(
                 {before, after, begin_of(finished_, joint.curve), driven.metres, driven.crossings});
@@ -156,8 +160,9 @@ class Drafter {
     void finish(int group) {
         finished_.groups[static_cast<std::size_t>(group)] = 1;
         const Regions& area = job_.groups[static_cast<std::size_t>(group)].area;
-        if (!pairs_ || !options_.avoid.on || area.empty()) return;
+        if (!search_ || !options_.avoid.on || area.empty()) return;
         finished_.ground.add(area);
+        finished_.areas.add(area);
         finished_.any_area = true;
     }
 
@@ -165,8 +170,7 @@ class Drafter {
     const std::vector<Going>& goings_;
     const Robot& robot_;
     const Options& options_;
-    Pairs* pairs_;
-    const std::vector<int>& row_;
+    const Search* search_;
     Finished finished_;
     Ordered answer_;
     double cost_ = 0;
@@ -175,8 +179,8 @@ class Drafter {
 }  // namespace
 
 Draft drafted(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
-              Pairs* pairs, const std::vector<int>& row, const Progress& progress) {
-    return Drafter(job, goings, robot, options, pairs, row).make(progress);
+              const Search* search, const Progress& progress) {
+    return Drafter(job, goings, robot, options, search).make(progress);
 }
 
 }  // namespace strandline::order

@@ -66,7 +66,7 @@ Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& opti
     // Where turns cost nothing, straight gaps are what is driven, and nothing is rolled over.
     const bool curved = robot.min_radius > 0 && options.connect.style != connect::Style::straight;
     Ordered answer = curved ? searched(job, goings, robot, options, progress).ordered
-                            : drafted(job, goings, robot, options, nullptr, {}, progress).ordered;
+                            : drafted(job, goings, robot, options, nullptr, progress).ordered;
     answer.tour = *tour;
     progress.report("driving", 1);
     return answer;

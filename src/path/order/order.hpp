@@ -52,7 +52,8 @@ struct Avoid {
     double clearance = 0.21;   ///< metres that the turning point keeps from finished areas
     double radius = 0.5;       ///< metres: the robot's least one, above 0
     double crossing_cost = 2;  ///< metres that a crossing of a drawn line is worth
-    double area_cost = 20;     ///< metres that a metre nearer to a finished area than the clearance is worth
+    double area_cost = 20;     ///< metres that a metre over a finished area is worth
+    double near_share = 0.25;  ///< of that: a metre beside it, nearer than the clearance
 };
 /// Where nothing better was found than to drive over what is finished.
 struct Blemish {

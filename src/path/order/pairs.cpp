@@ -9,6 +9,9 @@ namespace {
 /// A metre over a finished area is guessed to cost so many metres of way round it.
 constexpr double guessed_detour = 1.5;
 
+/// Pairs of more candidates than this are not kept in a table.
+constexpr std::size_t most_tabled = 1500;
+
 bool is_fill(const Group& group) { return group.work.strokes.front().fill; }
 
 }  // namespace
@@ -39,13 +42,27 @@ Pairs::Pairs(const Job& job, const std::vector<tour::Step>& steps, const Robot& 
             candidates_.push_back(std::move(candidate));
         first_.push_back(static_cast<int>(candidates_.size()));
     }
+    if (candidates_.size() <= most_tabled) table_.assign(candidates_.size() * candidates_.size(), -1);
+}
+
+int& Pairs::number(int from, int to) {
+    const std::size_t n = candidates_.size(), a = static_cast<std::size_t>(from),
+                      b = static_cast<std::size_t>(to);
+    if (!table_.empty()) return table_[a * n + b];
+    return numbers_.try_emplace(static_cast<std::uint64_t>(a) << 32 | b, -1).first->second;
 }
 
 Pairs::Entry& Pairs::entry(int from, int to) {
-    const std::uint64_t key = static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
-    const auto [at, fresh] = entries_.try_emplace(key);
-    Entry& entry = at->second;
-    if (!fresh) return entry;
+    int& number = this->number(from, to);
+    if (number < 0) {
+        number = static_cast<int>(entries_.size());
+        entries_.push_back(first_look(from, to));
+    }
+    return entries_[static_cast<std::size_t>(number)];
+}
+
+Pairs::Entry Pairs::first_look(int from, int to) const {
+    Entry entry;
     const Candidate &a = candidates_[static_cast<std::size_t>(from)],
                     &b = candidates_[static_cast<std::size_t>(to)];
     const bool lines = !is_fill(job_.groups[static_cast<std::size_t>(group_of(from))]) &&
@@ -73,11 +90,14 @@ Pairs::Entry& Pairs::entry(int from, int to) {
     return entry;
 }
 
-Passage Pairs::passage(double length, const Curve& curve, double area_cost) const {
+Passage Pairs::passage(double length, const Curve& curve, double area_cost, int left) const {
     Passage result{length};
-    for (const Touch& touch : marks_.touched(curve))
+    for (const Touch& touch : marks_.touched(curve)) {
+        const double metre =
+            touch.group == left ? options_.avoid.area_cost * options_.avoid.near_share : area_cost;
         result.spoils.push_back(
-            {touch.group, touch.crossings * options_.avoid.crossing_cost + touch.metres * area_cost});
+            {touch.group, touch.crossings * options_.avoid.crossing_cost + touch.metres * metre});
+    }
     return result;
 }
 
@@ -101,7 +121,7 @@ const std::vector<Passage>& Pairs::passages(int from, int to) {
     for (const Curve& curve : curves) {
         const double l = found.passages.empty() ? found.shortest : length(curve);
         if (l >= least) continue;  // a shorter one is cheaper, whatever is drawn
-        found.passages.push_back(passage(l, curve, guessed_detour));
+        found.passages.push_back(passage(l, curve, guessed_detour, group_of(from)));
         least = std::min(least, whole(found.passages.back()));
     }
     return found.passages;

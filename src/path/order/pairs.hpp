@@ -1,6 +1,7 @@
 #pragma once
 // Private to the room: what it costs to drive from one candidate to another, by what is finished before.
 #include <cstdint>
+#include <deque>
 #include <unordered_map>
 #include <vector>
 
@@ -44,7 +45,8 @@ class Pairs {
     /// What was driven takes the place of what was guessed.
     void learn(int from, int to, std::vector<Passage> driven);
     bool learnt(int from, int to) { return entry(from, to).learnt; }
-    Passage passage(double length, const Curve& curve, double area_cost) const;
+    /// `area_cost`: of a metre within areas, metres; of the group `left`, there is no way round: in full.
+    Passage passage(double length, const Curve& curve, double area_cost, int left = -1) const;
     std::vector<Touch> touched(const Curve& curve) const { return marks_.touched(curve); }
 
   private:
@@ -54,6 +56,9 @@ class Pairs {
         std::vector<Passage> passages;
     };
     Entry& entry(int from, int to);
+    /// Where the number of the pair's entry is kept; -1: there is none yet.
+    int& number(int from, int to);
+    Entry first_look(int from, int to) const;
 
     const Job& job_;
     const Robot& robot_;
@@ -61,7 +66,9 @@ class Pairs {
     std::vector<Candidate> candidates_;
     std::vector<int> first_;
     Marks marks_;
-    std::unordered_map<std::uint64_t, Entry> entries_;
+    std::deque<Entry> entries_;
+    std::vector<int> table_;                          ///< numbers by pair, where that is not too many ...
+    std::unordered_map<std::uint64_t, int> numbers_;  ///< ... else those that are asked for
 };
 
 }  // namespace strandline::order

@@ -9,7 +9,7 @@ namespace {
 /// Metres: what the search may spend on a move at first, and in later rounds.
 constexpr double hot = 1.5, warm = 0.15;
 /// Passages weighed: by group, and at most; later rounds have a share of that.
-constexpr std::uint64_t work_by_group = 20'000, most_work = 4'000'000, later_share = 4;
+constexpr std::uint64_t work_by_group = 6'000, most_work = 4'000'000, later_share = 4;
 constexpr int most_rounds = 5;
 
 std::vector<Going> goings_of(const Row& row, const Pairs& pairs) {
@@ -37,8 +37,10 @@ Draft searched(const Job& job, const std::vector<Going>& goings, const Robot& ro
     row = annealed(std::move(row), job, pairs, hot, work, options.tour.seed, progress);
     std::optional<Draft> best;
     Row best_row;
+    Made made;
     for (int round = 0; round < most_rounds; ++round) {
-        Draft draft = drafted(job, goings_of(row, pairs), robot, options, &pairs, row, progress);
+        const Search search{pairs, made, row};
+        Draft draft = drafted(job, goings_of(row, pairs), robot, options, &search, progress);
         if (!best || draft.cost < best->cost) {
             best = std::move(draft);
             best_row = row;

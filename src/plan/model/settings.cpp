@@ -541,7 +541,7 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.avoid.crossing_cost; }},
         {"avoid.area_cost",
-         "way that each metre too near to a finished area is worth, metres",
+         "metres of way that a metre over a finished area is worth; too near to one, a quarter of that",
          Kind::number,
          0,
          1000,
