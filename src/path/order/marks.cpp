@@ -128,21 +128,26 @@ std::vector<Touch> Marks::touched(const Curve& curve) const {
         const int parts = std::max(
             1,
             static_cast<int>(std::ceil(std::max(piece.length / longest, piece.length * bend / chord_turn))));
-        Pose from = at;
+        // Arcs have equal chords, each turned against the one before by the same angle.
+        const bool arc = piece.sharpness == 0;
+        const double step = piece.length / parts;
+        const Point turn = unit(piece.curvature * step);
+        Point from = at.at, chord = arc ? advanced(at, piece, step).at - at.at : Point{};
         for (int i = 1; i <= parts; ++i) {
-            const Pose to = advanced(at, piece, piece.length * i / parts);
-            if (!chords_.empty()) cross(from.at, to.at, begin, end, found);
+            const Point to = arc ? from + chord : advanced(at, piece, step * i).at;
+            chord = {chord.x * turn.x - chord.y * turn.y, chord.x * turn.y + chord.y * turn.x};
+            if (!chords_.empty()) cross(from, to, begin, end, found);
             if (!by_cell_.first.empty()) {
-                const Point middle = areas_.in_cells(between(from.at, to.at, 0.5));
+                const Point middle = areas_.in_cells(between(from, to, 0.5));
                 const long column = std::lround(middle.x), row = std::lround(middle.y);
                 if (column >= 0 && column < areas_.columns && row >= 0 && row < areas_.rows)
                     for (const int g :
                          by_cell_.of(areas_.index(static_cast<int>(column), static_cast<int>(row))))
-                        found.push_back({g, 0, piece.length / parts});
+                        found.push_back({g, 0, step});
             }
             from = to;
         }
-        at = from;
+        at = advanced(at, piece, piece.length);
     }
     std::ranges::stable_sort(found, {}, &Touch::group);
     std::vector<Touch> merged;

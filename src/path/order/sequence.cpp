@@ -62,11 +62,13 @@ class Annealer {
     Row run(double hot, std::uint64_t work, const Progress& progress) {
         Row best = row_;
         double least = sum_;
-        constexpr std::uint64_t between_looks = 1024;
+        double heat = hot;
+        constexpr std::uint64_t between_looks = 64;
         for (std::uint64_t moves = 0; work_ < work; ++moves) {
-            if (moves % between_looks == 0 && progress.stopped()) break;
-            const double share = static_cast<double>(work_) / static_cast<double>(work);
-            const double heat = hot * std::pow(cold / hot, share);
+            if (moves % between_looks == 0) {
+                if (progress.stopped()) break;
+                heat = hot * std::pow(cold / hot, static_cast<double>(work_) / static_cast<double>(work));
+            }
             // the Metropolis rule, turned round: what a move may cost is drawn first
             step(-heat * std::log(1 - uniform()));
             ++work_;
