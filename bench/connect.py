@@ -87,6 +87,49 @@ def corners(program, binary, folder):
           ["sigma R^2", "cases", "violations", "length R, median", "longest"], rows)
 
 
+def blobs(r, largest):
+    """20 to 60 areas on 17 m"""
+    for _ in range(r.randint(20, 60)):
+        x, y, size, n = r.uniform(0, 17), r.uniform(0, 17), r.uniform(.3, largest), r.randint(4, 14)
+        yield [[x + d * math.cos(2 * math.pi * k / n), y + d * math.sin(2 * math.pi * k / n)] for k in range(n) for d in [size * r.uniform(.45, 1)]]
+
+
+def keeps(ring, p, clearance):
+    """whether the point lies outside the ring and that far from it"""
+    inside, near = False, math.inf
+    for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
+        if (ay > p[1]) != (by > p[1]) and p[0] < ax + (p[1] - ay) / (by - ay) * (bx - ax): inside = not inside
+        dx, dy = bx - ax, by - ay
+        t = max(0, min(1, ((p[0] - ax) * dx + (p[1] - ay) * dy) / (dx * dx + dy * dy)))
+        near = min(near, math.hypot(p[0] - ax - t * dx, p[1] - ay - t * dy))
+    return not inside and near > clearance
+
+
+def obstacles(program, binary, folder, worlds=40, a_world=10):
+    rows = []
+    for seed, largest in ((31, .6), (32, 1.2)):
+        for sigma in (2.5, 10):
+            r, cases = random.Random(seed), []
+            for _ in range(worlds):
+                rings = list(blobs(r, largest))
+                def pose():
+                    while True:
+                        p = [r.uniform(0, 17), r.uniform(0, 17)]
+                        if all(keeps(ring, p, .26) for ring in rings): return p + [r.random() * 2 * math.pi]
+                cases += [{"start": pose(), "end": pose(), "R": .5, "sigma": sigma * 4, "obstacles": rings, "clearance": .25} for _ in range(a_world)]
+            source, out = folder / "pairs.jsonl", folder / "curves.jsonl"
+            source.write_text("".join(json.dumps(p) + "\n" for p in cases))
+            code, _, err, cpu, _ = run([program, "connect", "--quick", source, "-o", out, "-q"])
+            assert code in (0, 3), err
+            said = [json.loads(l).get("ok", True) for l in out.read_text().splitlines()]
+            lines = judged(binary, out)
+            ratios = [l["ratio"] for l, ok in zip(lines, said) if ok]
+            rows.append([f"{len(cases)}, areas up to {largest} m in radius", sigma, sum(said), sum(bool(l.get("violations")) for l, ok in zip(lines, said) if ok),
+                         f"{percent(ratios, .5):.3f}", f"{percent(ratios, .95):.3f}", f"{cpu / len(cases) * 1e3:.1f}"])
+    table("Connect: round obstacles, 20 to 60 random areas on 17 m, clearance R/2 (time holds reading and building the ground for every pair)",
+          ["pairs", "sigma R^2", "clear ways", "of them with a violation", "length / Dubins p50", "p95", "CPU ms a pair"], rows)
+
+
 def report(program, shared, folder, n):
     judge = shared / "judge/curves/checkcurves.cpp"
     if not judge.is_file():
@@ -96,3 +139,4 @@ def report(program, shared, folder, n):
     lengths(program, binary, folder, n)
     styles(program, binary, folder)
     corners(program, binary, folder)
+    obstacles(program, binary, folder)

@@ -37,12 +37,12 @@ def plan_row(program, path, folder, extra=()):
     areas = "" if not figures["regions"] else "%.1f / %.1f / %.1f" % tuple(100 * report[k] for k in ("coverage", "overdraw", "spill"))
     return [path.stem, f"{figures['lines']} + {figures['regions']}", f"{figures['drawn']:.1f}", f"{figures['up_straight']:.2f}",
             f"{figures['up_dubins']:.1f}", f"{figures['up_driven']:.1f}", f"{figures['loops_driven']:.1f}", areas,
-            f"{report['crossings']} / {report['driven_over']:.2f}", verdict, f"{statistics.median(times):.2f} / {memory:.0f}"]
+            f"{report['crossings']} / {report['over_finished']:.2f} / {report['driven_over']:.2f}", verdict, f"{statistics.median(times):.2f} / {memory:.0f}"]
 
 
 def drawings(program, shared, folder):
     head = ["drawing", "lines + areas", "drawn m", "rake up straight m", "Dubins m", "driven m", "corner loops m",
-            "coverage / overdraw / spill %", "crossings / m^2 over finished", "check", "CPU s / MB"]
+            "coverage / overdraw / spill %", "crossings / m over finished areas / m^2 rolled over", "check", "CPU s / MB"]
     for title, paths in (("The drawings of 2014", sorted((shared / "drawings").glob("*.svg"))), ("Our own drawings", sorted((ROOT / "drawings").glob("*.svg")))):
         if paths:
             table(title + " (`strandline plan`, beachbot, 14 x 14 m)", head, [plan_row(program, p, folder) for p in paths])

@@ -1,6 +1,7 @@
 // Speed, a room at a time, on seeded inputs of our own.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include "machine/follow/follow.hpp"
 #include "path/connect/connect.hpp"
 #include "path/fill/fill.hpp"
+#include "path/route/route.hpp"
 #include "path/tour/tour.hpp"
 #include "plan/pipeline/pipeline.hpp"
 #include "result/check/check.hpp"
@@ -54,6 +56,77 @@ void connection(benchmark::State& state) {
     }
 }
 BENCHMARK(connection)->DenseRange(0, 3);
+
+/// 20 to 60 areas on 17 m of up to so many decimetres' radius (argument), random end headings, R 0.5 m,
+/// clearance 0.25 m, sigma R^2 = 10; 20 ways a ground. Counters: shares of ways without a blemish, lengths
+/// over the larger of taut string and Dubins, of those.
+void route_way(benchmark::State& state) {
+    std::mt19937_64 random(20140704);
+    struct Case {
+        CurvatureState from, to;
+    };
+    std::vector<Regions> worlds(20);
+    std::vector<std::vector<Case>> cases(worlds.size());
+    const auto point = [&] {
+        const double x = uniform(random, 0, 17);
+        return Point{x, uniform(random, 0, 17)};
+    };
+    const route::GroundOptions clearance{.clearance = 0.25};
+    for (std::size_t w = 0; w < worlds.size(); ++w) {
+        const auto count = 20 + random() % 41;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Point centre = point();
+            const double size = uniform(random, 0.3, static_cast<double>(state.range(0)) / 10);
+            const auto corners = 4 + random() % 11;
+            Region& area = worlds[w].emplace_back();
+            for (std::size_t k = 0; k < corners; ++k)
+                area.outer.push_back(
+                    centre + size * uniform(random, 0.45, 1) *
+                                 unit(2 * pi * static_cast<double>(k) / static_cast<double>(corners)));
+        }
+        route::Ground ground(clearance);
+        ground.add(worlds[w]);
+        const auto any = [&] {
+            for (;;) {
+                const Point at = point();
+                const double heading = uniform(random, -pi, pi);
+                if (ground.clear(at)) return CurvatureState{{at, heading}, 0};
+            }
+        };
+        for (int i = 0; i < 20; ++i) {
+            const CurvatureState from = any();
+            cases[w].push_back({from, any()});
+        }
+    }
+    const route::Options options{.limits = {0.5, 40}};
+    std::vector<double> ratios;
+    for (auto _ : state)
+        for (std::size_t w = 0; w < worlds.size(); ++w) {
+            state.PauseTiming();
+            route::Ground ground(clearance);
+            ground.add(worlds[w]);
+            state.ResumeTiming();
+            for (const Case& c : cases[w]) {
+                const route::Way way = route::way(ground, c.from, c.to, options);
+                state.PauseTiming();
+                const double least = std::max(route::taut_length(ground, c.from.pose.at, c.to.pose.at),
+                                              dubins_length(c.from.pose, c.to.pose, options.limits.radius));
+                if (way.blemish == 0) ratios.push_back(length(way.curve) / least);
+                state.ResumeTiming();
+            }
+        }
+    std::ranges::sort(ratios);
+    const auto ways = static_cast<double>(state.iterations()) * 400;
+    const auto share = [&](double q) {
+        return ratios[static_cast<std::size_t>(q * static_cast<double>(ratios.size() - 1))];
+    };
+    state.counters["clear"] = static_cast<double>(ratios.size()) / ways;
+    state.counters["p50"] = share(0.5);
+    state.counters["p95"] = share(0.95);
+    state.counters["ways"] =
+        benchmark::Counter(ways, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(route_way)->Arg(6)->Arg(12)->Unit(benchmark::kMillisecond);
 
 void svg_read(benchmark::State& state) {
     const std::string text = drawing_text("mandala.svg");

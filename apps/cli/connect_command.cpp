@@ -8,6 +8,7 @@
 #include "base/units/units.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "path/route/route.hpp"
 #include "result/stages/stages.hpp"
 
 namespace strandline::cli {
@@ -57,6 +58,32 @@ Outcome<std::vector<stages::Pair>> read_pairs(std::string_view text, const std::
     return pairs;
 }
 
+/// Round the pair's obstacles where its own curve comes too near to them.
+struct Led {
+    connect::Connection connection;
+    bool round = false;
+    std::optional<std::string> failure = {};
+};
+Led led_round(const stages::Pair& pair, connect::Connection direct) {
+    if (!stages::hits_obstacles(pair, direct.curve)) return {std::move(direct)};
+    if (!pair.through.empty())
+        return {
+            std::move(direct), false,
+            "the curve comes nearer to an obstacle than the clearance; poses to be met are not led round"};
+    const double right = pair.limits.right_radius;
+    route::Ground ground({.clearance = pair.clearance,
+                          .radius = right > 0 ? std::min(right, pair.limits.radius) : pair.limits.radius});
+    for (const Polygon& ring : pair.obstacles) ground.add(Region{ring, {}});
+    route::Way way = route::way(ground, pair.from, pair.to, {.limits = pair.limits});
+    Led led{{0, 0, std::move(way.curve), std::move(direct.broken)}, true};
+    if (way.blemish > 0 || stages::hits_obstacles(pair, led.connection.curve))
+        led.failure = fmt::format(
+            "no way round the obstacles was found; this one is nearer to them than the clearance for {:.2f} "
+            "m",
+            way.blemish);
+    return led;
+}
+
 }  // namespace
 
 int connect(const ConnectArguments& arguments, const Common& common) {
@@ -72,7 +99,7 @@ int connect(const ConnectArguments& arguments, const Common& common) {
     if (!pairs) return complain(pairs.error(), bad_input);
 
     std::string out;
-    int blocked = 0, fallbacks = 0;
+    int blocked = 0, fallbacks = 0, round = 0;
     for (std::size_t i = 0; i < pairs->size(); ++i) {
         const stages::Pair& pair = (*pairs)[i];
         const auto made = connect::connection(pair.from, pair.through, pair.to,
@@ -85,22 +112,21 @@ int connect(const ConnectArguments& arguments, const Common& common) {
             error.place = fmt::format("pair {}, {}", i + 1, error.place);
             return complain(error, bad_input);
         }
-        const connect::Connection& connection = *made;
-        if (!connection.broken.empty()) ++fallbacks;
-        std::optional<std::string> failure;
-        if (stages::hits_obstacles(pair, connection.curve))
-            failure = "the curve comes nearer to an obstacle than the clearance; no way round is sought yet";
-        if (failure) ++blocked;
-        out += stages::write_curve(pair, connection, failure);
+        const Led led = led_round(pair, *made);
+        if (!led.connection.broken.empty()) ++fallbacks;
+        if (led.round) ++round;
+        if (led.failure) ++blocked;
+        out += stages::write_curve(pair, led.connection, led.failure);
         out += '\n';
     }
     if (const auto written = write_output(arguments.output, out); !written)
         return complain(written.error(), bad_input);
     if (!common.quiet)
-        fmt::print(stderr, "{} curves{}{}\n", pairs->size(),
+        fmt::print(stderr, "{} curves{}{}{}\n", pairs->size(),
                    fallbacks ? fmt::format(", {} of them bounded because {} breaks a limit there", fallbacks,
                                            arguments.style)
                              : "",
+                   round ? fmt::format(", {} of them round obstacles", round) : "",
                    blocked ? fmt::format(", {} of them come too near an obstacle", blocked) : "");
     return blocked ? falls_short : done;
 }

@@ -39,6 +39,7 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
         done = set(wishes.options, "drawing.layers", fmt::format("{}", fmt::join(a.layers, "; ")));
     if (done && !a.rules.empty())
         done = set(wishes.options, "drawing.rules", fmt::format("{}", fmt::join(a.rules, "; ")));
+    if (done && !a.avoid.empty()) done = set(wishes.options, "avoid.finished", a.avoid);
     if (done && !a.occlusion.empty()) done = set(wishes.options, "drawing.occlusion", a.occlusion);
     if (done && a.invert) done = set(wishes.options, "ink.invert", "on");
     if (done && !a.dpi.empty()) done = set(wishes.options, "drawing.dpi", a.dpi);

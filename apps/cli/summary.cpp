@@ -69,8 +69,11 @@ std::string summary(const Plan& plan, const check::Report& report) {
                                  100 * report.coverage, 100 * report.overdraw, 100 * report.spill,
                                  report.bare.size()));
     }
-    row("blemishes", fmt::format("{} crossings of finished lines, {:.2f} m^2 of finished sand driven over",
-                                 report.crossings, report.driven_over));
+    row("blemishes",
+        fmt::format(
+            "{} crossings of finished lines; {:.2f} m over finished areas between strokes; {:.2f} m^2 of "
+            "finished sand driven over in all",
+            report.crossings, report.over_finished, report.driven_over));
     row("corners", corners(f));
     row("tightest", plan.robot.min_radius > 0
                         ? fmt::format("{:.2f} 1/m rake up (limit {:.2f}), {:.2f} 1/m drawing", f.tightest_up,
@@ -95,6 +98,9 @@ std::string places(const Plan& plan, const check::Report& report) {
         text += fmt::format("bare as driven: {:.3g} m2 of {} at ({:.2f}, {:.2f})\n", bare.area,
                             plan.drawing.elements[static_cast<std::size_t>(bare.element)].id, bare.at.x,
                             bare.at.y);
+    for (const Spot& spot : plan.blemishes)
+        text += fmt::format("blemish as planned: at ({:.2f}, {:.2f}): {} ({:.2f})\n", spot.at.x, spot.at.y,
+                            spot.what, spot.amount);
     for (const Spot& spot : plan.undrivable)
         text += fmt::format("not drivable: at ({:.2f}, {:.2f}): {} ({:.2f})\n", spot.at.x, spot.at.y,
                             spot.what, spot.amount);

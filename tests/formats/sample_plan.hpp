@@ -121,6 +121,7 @@ inline Plan sample_plan() {
     plan.connections = {{0, 1, 0, 0, half_turn}, {1, 2, -pi / 2, 0, up}, {2, 3, 0, 0, over}};
     plan.stops = {{"tool 2", 1, 12.5}};
     plan.undrivable = {{"corner too tight", {3, 3}, 0.05}};
+    plan.blemishes = {{"crosses drawn lines, times", {2, 1}, 2}};
     plan.warnings = {{"", "one corner is rounded"}};
 
     Figures& figures = plan.figures;

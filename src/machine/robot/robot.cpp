@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace strandline {
 namespace {
@@ -104,6 +105,18 @@ int pins_for_width(const Robot& robot, double stroke_width) {
     return rule == robot.rake_rules.end() ? robot.rake_rules.back().pins : rule->pins;
 }
 
+double wheel_reach(const Robot& robot) {
+    double reach = 0;
+    for (const Wheel& wheel : robot.wheels) {
+        const double side = std::abs(wheel.at.y) + wheel.width / 2;
+        for (const double turn : {1.0, -1.0}) {
+            // a wheel ahead of the axle runs on a wider circle
+            const double radius = least_radius(robot, turn);
+            reach = std::max({reach, side, std::hypot(radius + side, wheel.at.x) - radius});
+        }
+    }
+    return reach;
+}
 Polygon footprint(const Robot& robot) {
     return {{-robot.back, -robot.half_width},
             {robot.front, -robot.half_width},

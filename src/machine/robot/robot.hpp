@@ -64,6 +64,8 @@ inline double least_radius(const Robot& robot, double side) {
     const double own = side > 0 ? robot.left_radius : robot.right_radius;
     return own > 0 ? own : robot.min_radius;
 }
+/// How far to the side of P's path wheels roll, in turns of the least radius too; 0 without wheels.
+double wheel_reach(const Robot& robot);
 /// Corners of the footprint, counter-clockwise, in the body frame.
 Polygon footprint(const Robot& robot);
 

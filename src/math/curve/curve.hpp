@@ -144,6 +144,9 @@ std::vector<Curve> fitted(const Path& path, const FitOptions& options);
 /// 2001. Curvature jumps. Never fails. About 0.5 us.
 Curve dubins(Pose from, Pose to, double radius);
 double dubins_length(Pose from, Pose to, double radius);
+/// All of Dubins' six words that exist (turn, straight, turn, or three turns), the shortest first: other ways
+/// between the poses, where the shortest is not wanted. 1 us.
+std::vector<Curve> dubins_words(Pose from, Pose to, double radius);
 
 /// Where a continuous-curvature curve starts or ends.
 struct CurvatureState {

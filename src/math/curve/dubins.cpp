@@ -1,6 +1,7 @@
 // Shortest curves of bounded curvature. Notation of Shkel and Lumelsky 2001: unit radius, d the distance,
 // alpha and beta the headings against the line of sight; a word is three parts, each an arc or the straight
 // in between.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -58,31 +59,44 @@ std::optional<Word> three_turns(double d, double alpha, double beta, int a) {
                 {a, -a, a}};
 }
 
-Word shortest(Pose from, Pose to, double radius) {
+/// Of the six, those that exist.
+std::array<std::optional<Word>, 6> words(Pose from, Pose to, double radius) {
     const Point chord = to.at - from.at;
     const double d = length(chord) / radius, sight = d > 0 ? heading(chord) : from.heading;
     const double alpha = wrap_angle(from.heading - sight), beta = wrap_angle(to.heading - sight);
-    Word best = *with_straight(d, alpha, beta, 1, 1);
-    const auto offer = [&](const std::optional<Word>& word) {
+    return {with_straight(d, alpha, beta, 1, 1),  with_straight(d, alpha, beta, -1, -1),
+            with_straight(d, alpha, beta, 1, -1), with_straight(d, alpha, beta, -1, 1),
+            three_turns(d, alpha, beta, 1),       three_turns(d, alpha, beta, -1)};
+}
+
+Word shortest(Pose from, Pose to, double radius) {
+    const auto all = words(from, to, radius);
+    Word best = *all.front();  // the first always exists
+    for (const std::optional<Word>& word : all)
         if (word && word->total() < best.total()) best = *word;
-    };
-    offer(with_straight(d, alpha, beta, -1, -1));
-    offer(with_straight(d, alpha, beta, 1, -1));
-    offer(with_straight(d, alpha, beta, -1, 1));
-    offer(three_turns(d, alpha, beta, 1));
-    offer(three_turns(d, alpha, beta, -1));
     return best;
 }
 
-}  // namespace
-
-Curve dubins(Pose from, Pose to, double radius) {
-    const Word word = shortest(from, to, radius);
+Curve curve_of(const Word& word, Pose from, double radius) {
     Curve curve{from, {}};
     for (std::size_t i = 0; i < 3; ++i)
         if (word.lengths[i] > 0)
             curve.pieces.push_back({word.lengths[i] * radius, word.turns[i] / radius, 0});
     return curve;
+}
+
+}  // namespace
+
+Curve dubins(Pose from, Pose to, double radius) { return curve_of(shortest(from, to, radius), from, radius); }
+
+std::vector<Curve> dubins_words(Pose from, Pose to, double radius) {
+    std::vector<Word> found;
+    for (const std::optional<Word>& word : words(from, to, radius))
+        if (word) found.push_back(*word);
+    std::ranges::stable_sort(found, {}, &Word::total);
+    std::vector<Curve> curves;
+    for (const Word& word : found) curves.push_back(curve_of(word, from, radius));
+    return curves;
 }
 
 double dubins_length(Pose from, Pose to, double radius) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
+#include "math/region/region.hpp"
 #include "path/connect/connect.hpp"
 #include "path/drive/drive.hpp"
 #include "path/stroke/stroke.hpp"
@@ -28,6 +29,7 @@ struct Group {
     std::optional<int> entry = {};  ///< fixed node of a closed stroke, or 0 / last of an open one
     tour::Direction direction = tour::Direction::any;
     tour::Sense sense = tour::Sense::any;
+    Regions area = {};  ///< not to be driven over once its strokes are drawn; of lines: none
 };
 /// The strokes of a group, or of one of its variants; -1: its own.
 const std::vector<Stroke>& strokes_of(const Group& group, int variant);
@@ -44,10 +46,27 @@ struct Job {
     /// Groups drawn without others between, in this order; all of them, or none.
     std::vector<std::vector<int>> batches = {};
 };
+/// What is done about driving over what is finished: areas are hard, lines cost something.
+struct Avoid {
+    bool on = false;
+    double clearance = 0.21;   ///< metres that the turning point keeps from finished areas
+    double radius = 0.5;       ///< metres: the robot's least one, above 0
+    double crossing_cost = 2;  ///< metres that a crossing of a drawn line is worth
+    double area_cost = 20;     ///< metres that a metre over a finished area is worth
+    double near_share = 0.25;  ///< of that: a metre beside it, nearer than the clearance
+};
+/// Where nothing better was found than to drive over what is finished.
+struct Blemish {
+    int from = -1, to = -1;  ///< strokes
+    Point at;                ///< where it begins
+    double metres = 0;       ///< nearer to finished areas than the clearance
+    int crossings = 0;       ///< of drawn lines
+};
 struct Options {
     tour::Options tour;
     drive::Options drive;
     connect::Options connect;
+    Avoid avoid;
     double min_gap = 0.02;  ///< metres: nearer strokes are joined directly
 };
 
@@ -56,6 +75,7 @@ struct Connection {
     int from = -1, to = -1;
     double turn_before = 0, turn_after = 0;
     Curve curve;
+    std::vector<Pose> through = {};  ///< what it was led through, round finished ground
 };
 struct Ordered {
     std::vector<Stroke> strokes;  ///< in driving order
@@ -63,6 +83,7 @@ struct Ordered {
     std::vector<int> variants;    ///< by group: which was taken; -1: its own strokes
     std::vector<Leg> legs;        ///< end to end
     std::vector<Connection> connections;
+    std::vector<Blemish> blemishes;
     double straight = 0;  ///< m, rake centre, from stroke end to stroke start
     double dubins = 0;    ///< m, robot pose to robot pose where strokes are not joined directly
     int direct = 0;       ///< gaps joined directly
@@ -70,12 +91,14 @@ struct Ordered {
     int fallbacks = 0;  ///< connections whose style breaks a limit: they are bounded, each with a warning
     std::vector<drive::Span> undrivable;
     tour::Tour tour;
+    bool reordered = false;  ///< the groups' order is not the tour's
     Warnings warnings;
 };
 
-/// Order by straight rake-up length (tour), then entries, senses and variants along that order by Dubins
-/// length between robot poses (exact, dynamic programming), then every stroke driven and connected. Error:
-/// contradictory wishes, by name.
+/// Order by straight rake-up length (tour); entries, senses and variants along that order by Dubins length
+/// between robot poses (exact, dynamic programming); then all of it again by driven metres and blemishes
+/// together (annealing), and every stroke driven and connected, round what is finished, until nothing gains.
+/// A robot that turns on the spot for free keeps the tour. Error: contradictory wishes, by name.
 Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& options,
                          const Progress& progress = {});
 

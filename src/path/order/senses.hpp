@@ -8,6 +8,7 @@ namespace strandline::order {
 struct Going {
     tour::Step step;
     int variant = -1;  ///< of the group's; -1: its own strokes
+    bool operator==(const Going&) const = default;
 };
 /// Chooses again, for a fixed order of groups, at which node and in which sense each is entered, so that the
 /// sum of Dubins lengths between robot poses and of what variants are longer is least among the candidates

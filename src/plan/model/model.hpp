@@ -92,6 +92,12 @@ struct Options {
         double min_length = 0.02;       // gaps shorter than this are joined directly
         bool operator==(const Connect&) const = default;
     } connect;
+    struct Avoid {  // "avoid.*"
+        bool finished = true;
+        double clearance = -1;                     // metres; < 0: what the wheels reach
+        double crossing_cost = 2, area_cost = 20;  // metres a crossing, metres a metre
+        bool operator==(const Avoid&) const = default;
+    } avoid;
     struct Samples {  // "trajectory.*"
         double step = 0.02;
         bool operator==(const Samples&) const = default;
@@ -196,7 +202,7 @@ struct Stop {
 struct Spot {
     std::string what;
     Point at;
-    double amount = 0;  ///< metres or m^2, as `what` says
+    double amount = 0;  ///< metres, m^2 or a count, as `what` says
     bool operator==(const Spot&) const = default;
 };
 
@@ -242,6 +248,9 @@ struct Plan {
     std::vector<Sample> samples;
     std::vector<Stop> stops;
     std::vector<Spot> undrivable;
+    /// where rake up finished areas or lines are driven over, because no better way was found: metres, or
+    /// crossings
+    std::vector<Spot> blemishes;
     std::vector<Spot> bare;  ///< sand of areas that no stroke rakes: element, m^2; largest first
     Figures figures;
     Warnings warnings;

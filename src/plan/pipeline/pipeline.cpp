@@ -70,6 +70,12 @@ order::Options order_options(const Options& options, const Robot& robot) {
     o.connect.turn_cost = v / robot.turn_rate;
     o.connect.turn_start = v * (robot.turn_rate / robot.turn_acceleration + v / robot.acceleration);
     o.min_gap = options.connect.min_length;
+    // Without wheels nothing is spoilt.
+    o.avoid.on = options.avoid.finished && !robot.wheels.empty() && robot.min_radius > 0;
+    o.avoid.clearance = options.avoid.clearance < 0 ? wheel_reach(robot) : options.avoid.clearance;
+    o.avoid.radius = std::min(least_radius(robot, 1), least_radius(robot, -1));
+    o.avoid.crossing_cost = options.avoid.crossing_cost;
+    o.avoid.area_cost = options.avoid.area_cost;
     return o;
 }
 
@@ -149,10 +155,16 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
     f.corners_looped = ordered.loops;
     f.corners_pivoted = ordered.pivots;
     f.direct = ordered.direct;
-    f.tour_proven = ordered.tour.proven_optimal;
+    f.tour_proven = ordered.tour.proven_optimal && !ordered.reordered;
     f.reproducible = !ordered.tour.stopped;
     for (const drive::Span& span : ordered.undrivable)
         plan.undrivable.push_back({"the rake leaves its path, metres", span.at, span.length});
+    for (const order::Blemish& b : ordered.blemishes) {
+        if (b.metres > 0)
+            plan.blemishes.push_back({"no way round finished areas found, metres", b.at, b.metres});
+        if (b.crossings > 0)
+            plan.blemishes.push_back({"crosses drawn lines, times", b.at, static_cast<double>(b.crossings)});
+    }
     for (const order::Connection& c : ordered.connections)
         plan.connections.push_back({c.from, c.to, c.turn_before, c.turn_after, c.curve});
     measure(f, plan);

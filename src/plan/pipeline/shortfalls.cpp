@@ -22,6 +22,24 @@ void say_undrivable(Plan& plan) {
              plan.undrivable.size(), sum, longest.amount, longest.at.x, longest.at.y)});
 }
 
+void say_blemishes(Plan& plan) {
+    int places = 0;
+    double sum = 0;
+    const Spot* longest = nullptr;
+    for (const Spot& spot : plan.blemishes) {
+        if (!spot.what.starts_with("no way")) continue;
+        ++places;
+        sum += spot.amount;
+        if (longest == nullptr || spot.amount > longest->amount) longest = &spot;
+    }
+    if (longest == nullptr) return;
+    plan.warnings.push_back(
+        {"avoid.finished",
+         fmt::format("at {} places no way round finished areas was found: {:.2f} m are driven too near to or "
+                     "over them, the longest {:.2f} m near ({:.2f}, {:.2f}) (-v lists all)",
+                     places, sum, longest->amount, longest->at.x, longest->at.y)});
+}
+
 bool in_one_stroke(const Plan& plan, int stroke) {
     if (stroke < 0) return false;
     const int element = plan.strokes[static_cast<std::size_t>(stroke)].element;
@@ -60,6 +78,7 @@ void say_lifts(Plan& plan) {
 
 void say_shortfalls(Plan& plan) {
     say_undrivable(plan);
+    say_blemishes(plan);
     say_lifts(plan);
 }
 

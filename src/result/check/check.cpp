@@ -207,6 +207,7 @@ Report prove(const Plan& plan, const Options& wished, const Progress& progress) 
     check_drawn(plan, options, faults, report);
     check_motion(plan, faults, report);
     check_sand(plan, options, faults, report, progress);
+    measure_finished(plan, report);
     report.faults = faults.take();
     std::ranges::stable_sort(report.faults, {}, [](const Fault& f) { return f.law; });
     return report;

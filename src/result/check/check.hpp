@@ -58,6 +58,9 @@ struct Report {
     double coverage = 1, overdraw = 0, spill = 0;  ///< of the regions' area together
     int crossings = 0;                             ///< of finished lines
     double driven_over = 0;                        ///< m^2 of finished regions
+    /// m that P goes between strokes within areas all of whose strokes are drawn; the way out of the area
+    /// just finished apart
+    double over_finished = 0;
     double max_curvature_up = 0, max_sharpness_up = 0;
     double worst_offset = 0;  ///< m, rake from where the drawing has it
     bool sound() const { return faults.empty(); }

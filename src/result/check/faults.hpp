@@ -51,5 +51,7 @@ void check_motion(const Plan& plan, Faults& faults, Report& report);
 /// Laws of the drawing: lines and fill strokes are where they should be, each once. Fills Report::drawn,
 /// worst_offset.
 void check_drawn(const Plan& plan, const Options& options, Faults& faults, Report& report);
+/// Fills Report::over_finished.
+void measure_finished(const Plan& plan, Report& report);
 
 }  // namespace strandline::check

@@ -65,7 +65,9 @@ At child(const At& at, std::string_view key) {
 At item(const At& at, std::size_t index) { return {at.value[index], &at, {}, index}; }
 
 /// Keys that files of this version did not always have: absent, they keep their defaults.
-bool came_later(std::string_view key) { return key == "left_radius" || key == "right_radius"; }
+bool came_later(std::string_view key) {
+    return key == "left_radius" || key == "right_radius" || key == "blemishes";
+}
 
 template <class T>
 concept Described = requires(T& value) {
@@ -93,8 +95,9 @@ class PlanReader {
     void get(const At& at, Plan& plan) {
         std::vector<std::string_view> known{"format", "version"};
         fields(plan, [&](const char* key, auto& field) {
-            get(child(at, key), field);
             known.push_back(key);
+            if (came_later(key) && at.value.is_object() && !at.value.contains(key)) return;
+            get(child(at, key), field);
         });
         no_others(at, known);
     }

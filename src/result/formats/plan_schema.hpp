@@ -215,6 +215,7 @@ void fields(Either<Plan> auto& plan, Visit&& field) {
     field("warnings", plan.warnings);
     field("stops", plan.stops);
     field("undrivable", plan.undrivable);
+    field("blemishes", plan.blemishes);
     field("bare", plan.bare);
     field("drawing", plan.drawing);
     field("strokes", plan.strokes);

@@ -1,0 +1,157 @@
+#include "path/order/detours.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace strandline::order {
+namespace {
+
+/// Poses that detours are led through lie so many least radii farther on.
+constexpr std::array<double, 5> further{0, 0.6, 1.5, 3, 6};
+/// Radius of the words that detours are guessed by: a turn with its clothoids takes more room than an arc.
+constexpr double wider = 1.06;
+/// So many of the guessed detours are made.
+constexpr std::size_t most_made = 6;
+/// A straight part shorter than this (least radii) holds no pose to be led through.
+constexpr double least_straight = 0.1;
+
+Pose moved_on(Pose pose, double by) { return {pose.at + by * unit(pose.heading), pose.heading}; }
+
+/// A detour by Dubins' words.
+struct Guess {
+    std::vector<Pose> through;
+    double cost;
+};
+
+class Chooser {
+  public:
+    Chooser(const CurvatureState& from, const CurvatureState& to, const Finished& finished,
+            const Pairs& pairs, const Options& options)
+        : from_(from), to_(to), finished_(finished), pairs_(pairs), options_(options) {}
+
+    Driven choose(connect::Connection direct, std::vector<Passage>& tried) {
+        const double turn_cost = options_.connect.turn_cost;
+        best_ = {std::move(direct)};
+        double turned = 0;
+        for (const double turn : {best_.joint.turn_before, best_.joint.turn_after})
+            if (turn != 0) turned += options_.connect.turn_start + turn_cost * std::abs(turn);
+        tried.push_back(passage_of(best_.joint.curve, turned));
+        weigh(best_, turned);
+        if (!options_.avoid.on || (best_.metres == 0 && best_.crossings == 0)) return best_;
+        for (const Guess& guess : guesses()) {
+            Driven other{{0, 0, led(guess.through)}, guess.through};
+            weigh(other, 0);
+            tried.push_back(passage_of(other.joint.curve, 0));
+            if (other.cost < best_.cost) best_ = std::move(other);
+        }
+        if (best_.metres > 0) {
+            route::Way way = route::way(finished_.ground, from_, to_, {.limits = options_.connect.limits});
+            Driven other{{0, 0, std::move(way.curve)}, std::move(way.through)};
+            weigh(other, 0);
+            tried.push_back(passage_of(other.joint.curve, 0));
+            if (other.cost < best_.cost) best_ = std::move(other);
+        }
+        return best_;
+    }
+
+  private:
+    Passage passage_of(const Curve& curve, double turned) const {
+        return pairs_.passage(length(curve) + turned, curve,
+                              options_.avoid.area_cost * options_.avoid.near_share);
+    }
+    void weigh(Driven& driven, double turned) const {
+        const Curve& curve = driven.joint.curve;
+        driven.cost = length(curve) + turned;
+        if (!options_.avoid.on) return;
+        for (const Touch& touch : pairs_.touched(curve))
+            if (finished_.groups[static_cast<std::size_t>(touch.group)] != 0)
+                driven.crossings += touch.crossings;
+        if (finished_.any_area && !finished_.ground.clear(curve))
+            driven.metres = finished_.ground.blemish(curve);
+        driven.cost +=
+            driven.crossings * options_.avoid.crossing_cost + driven.metres * options_.avoid.area_cost;
+    }
+
+    /// The cheapest ones by what words spoil, those only that may gain.
+    std::vector<Guess> guesses() const {
+        const double radius =
+            wider * std::max(options_.connect.limits.radius, options_.connect.limits.right_radius);
+        std::vector<Guess> found;
+        for (const double before : further)
+            for (const double after : further) {
+                const Pose a = moved_on(from_.pose, before * radius), b = moved_on(to_.pose, -after * radius);
+                for (Curve& word : dubins_words(a, b, radius)) {
+                    Guess guess;
+                    if (before > 0) guess.through.push_back(a);
+                    double s = 0;
+                    for (const Clothoid& piece : word.pieces) {
+                        if (piece.curvature == 0 && piece.length > least_straight * radius)
+                            guess.through.push_back(point_at(word, s + piece.length / 2).pose);
+                        s += piece.length;
+                    }
+                    if (after > 0) guess.through.push_back(b);
+                    const double whole = (before + after) * radius + s;
+                    if (guess.through.empty() || whole >= best_.cost) continue;
+                    if (before > 0) word = joined(straight(from_.pose, before * radius), word);
+                    if (after > 0) word = joined(std::move(word), straight(b, after * radius));
+                    guess.cost = whole;
+                    for (const Passage::Spoils& spoils :
+                         pairs_.passage(whole, word, options_.avoid.area_cost * options_.avoid.near_share)
+                             .spoils)
+                        if (finished_.groups[static_cast<std::size_t>(spoils.group)] != 0)
+                            guess.cost += spoils.cost;
+                    if (guess.cost < best_.cost) found.push_back(std::move(guess));
+                }
+            }
+        std::ranges::stable_sort(found, {}, &Guess::cost);
+        if (found.size() > most_made) found.resize(most_made);
+        return found;
+    }
+
+    /// Straight on at each pose that it is led through.
+    Curve led(const std::vector<Pose>& through) const {
+        Curve whole{from_.pose, {}};
+        CurvatureState at = from_;
+        for (const Pose& pose : through) {
+            whole = joined(std::move(whole), continuous_curvature(at, {pose, 0}, options_.connect.limits));
+            at = {pose, 0};
+        }
+        return joined(std::move(whole), continuous_curvature(at, to_, options_.connect.limits));
+    }
+
+    const CurvatureState &from_, &to_;
+    const Finished& finished_;
+    const Pairs& pairs_;
+    const Options& options_;
+    Driven best_;
+};
+
+bool same(const CurvatureState& a, const CurvatureState& b) {
+    return a.pose == b.pose && a.curvature == b.curvature;
+}
+
+}  // namespace
+
+Driven connected(const CurvatureState& from, const CurvatureState& to, connect::Connection direct,
+                 const Finished& finished, const Pairs& pairs, const Options& options,
+                 std::vector<Passage>& tried) {
+    return Chooser(from, to, finished, pairs, options).choose(std::move(direct), tried);
+}
+
+const Driven& Made::connected(std::uint64_t which, const CurvatureState& from, const CurvatureState& to,
+                              const Finished& finished, const Pairs& pairs, const Options& options) {
+    const auto [at, fresh] = made_.try_emplace(which);
+    One& one = at->second;
+    if (fresh || !same(one.from, from) || !same(one.to, to)) {
+        one = {from, to, connect::connection(from, to, options.connect), {}, {}, {}};
+    } else if (one.finished == finished.groups) {
+        return one.driven;
+    }
+    one.finished = finished.groups;
+    one.tried.clear();
+    one.driven = order::connected(from, to, one.direct, finished, pairs, options, one.tried);
+    return one.driven;
+}
+
+}  // namespace strandline::order

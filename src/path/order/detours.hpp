@@ -1,0 +1,51 @@
+#pragma once
+// Private to the room: connections round what is finished.
+#include <cstdint>
+#include <unordered_map>
+
+#include "path/order/pairs.hpp"
+#include "path/route/route.hpp"
+
+namespace strandline::order {
+
+/// What is finished when a connection is driven.
+struct Finished {
+    route::Ground areas;  ///< as they are
+    route::Ground ground;
+    std::vector<char> groups;  ///< by group
+    bool any_area = false;
+};
+/// A connection, with what it spoils.
+struct Driven {
+    connect::Connection joint;
+    std::vector<Pose> through = {};
+    double cost = 0;  ///< metres: length, turns, blemishes
+    double metres = 0;
+    int crossings = 0;
+};
+/// The cheapest of: `direct`, the connection as asked for; Dubins' words, also between poses farther on along
+/// the ends' headings, as continuous curves; the way round areas. The others are looked at only where the
+/// first spoils something. `tried`: all that was made, for other times.
+Driven connected(const CurvatureState& from, const CurvatureState& to, connect::Connection direct,
+                 const Finished& finished, const Pairs& pairs, const Options& options,
+                 std::vector<Passage>& tried);
+
+/// Connections that were made before. The same ends, with the same finished, need not be connected again.
+class Made {
+  public:
+    const Driven& connected(std::uint64_t which, const CurvatureState& from, const CurvatureState& to,
+                            const Finished& finished, const Pairs& pairs, const Options& options);
+    const std::vector<Passage>& tried(std::uint64_t which) const { return made_.at(which).tried; }
+
+  private:
+    struct One {
+        CurvatureState from, to;
+        connect::Connection direct;
+        std::vector<char> finished;
+        Driven driven;
+        std::vector<Passage> tried;
+    };
+    std::unordered_map<std::uint64_t, One> made_;
+};
+
+}  // namespace strandline::order

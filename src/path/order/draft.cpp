@@ -1,0 +1,186 @@
+#include "path/order/draft.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "path/order/chain.hpp"
+
+namespace strandline::order {
+namespace {
+
+void append_pivot(std::vector<Leg>& legs, Pose at, double turn) {
+    if (turn == 0) return;
+    legs.push_back({Motion::pivot, -1, {{0, at, 0}, {0, {at.at, at.heading + turn}, 0}}, {}});
+}
+
+/// Where a drive along a curve first does what it should not.
+Point begin_of(const Finished& finished, const Curve& curve) {
+    return point_at(curve, finished.ground.clear_length(curve)).pose.at;
+}
+
+/// A stroke as planned, and what it is of.
+struct Link {
+    Planned planned;
+    std::size_t place;  ///< of its group in the row
+    int number;         ///< within its group
+    bool last;          ///< of its group
+};
+
+class Drafter {
+  public:
+    Drafter(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
+            const Search* search)
+        : job_(job),
+          goings_(goings),
+          robot_(robot),
+          options_(options),
+          search_(search),
+          finished_{route::Ground({.clearance = 0, .radius = options.avoid.radius}),
+                    route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
+                    std::vector<char>(job.groups.size(), 0)} {}
+
+    Draft make(const Progress& progress) {
+        const std::vector<std::vector<Link>> chains = chained(links());
+        std::optional<CurvatureState> from;
+        const Link* last = nullptr;
+        for (std::size_t k = 0; k < chains.size(); ++k) {
+            progress.report("driving", static_cast<double>(k) / static_cast<double>(chains.size()));
+            std::vector<Planned> chain;
+            for (const Link& link : chains[k]) chain.push_back(link.planned);
+            drive::Drive driven = drive_chain(chain, answer_.strokes, robot_, options_.drive);
+            if (from) connect(*from, *last, driven.start, chains[k].front());
+            take(driven);
+            from = driven.end;
+            last = &chains[k].back();
+            for (const Link& link : chains[k])
+                if (link.last) finish(goings_[link.place].step.element);
+        }
+        for (const Going& going : goings_)
+            if (going.variant >= 0)
+                cost_ += job_.groups[static_cast<std::size_t>(going.step.element)]
+                             .variants[static_cast<std::size_t>(going.variant)]
+                             .longer;
+        return {std::move(answer_), cost_};
+    }
+
+  private:
+    /// Groups -> strokes in driving order, each with its rake path as driven.
+    std::vector<Link> links() {
+        std::vector<Link> links;
+        answer_.variants.assign(job_.groups.size(), -1);
+        for (std::size_t k = 0; k < goings_.size(); ++k) {
+            const auto& [step, variant] = goings_[k];
+            const Group& group = job_.groups[static_cast<std::size_t>(step.element)];
+            answer_.variants[static_cast<std::size_t>(step.element)] = variant;
+            int number = 0;
+            for (const Stroke& stroke : strokes_of(group, variant)) {
+                const bool closed = is_single(group) && stroke.closed;
+                const int index = static_cast<int>(answer_.strokes.size());
+                const int end = static_cast<int>(stroke.nodes.size()) - 1;
+                const int node = closed ? step.entry : step.reversed ? end : 0;
+                answer_.strokes.push_back(stroke);
+                answer_.entries.push_back({index, node, step.reversed});
+                links.push_back({{index, rake_path_from(stroke, node, step.reversed)}, k, number++, false});
+            }
+            links.back().last = true;
+        }
+        return links;
+    }
+
+    std::vector<std::vector<Link>> chained(std::vector<Link> links) {
+        std::vector<std::vector<Link>> chains;
+        const auto is_fill = [&](const Link& link) {
+            return answer_.strokes[static_cast<std::size_t>(link.planned.stroke)].fill;
+        };
+        for (Link& next : links) {
+            if (!chains.empty()) {
+                const Link& before = chains.back().back();
+                const Pose end = end_pose(before.planned.rake_path.back()),
+                           start = next.planned.rake_path.front().start;
+                answer_.straight += distance(end.at, start.at);
+                if (!is_fill(before) && !is_fill(next) && nearly_touch(end, start, robot_, options_)) {
+                    ++answer_.direct;
+                    cost_ += distance(end.at, start.at);
+                    chains.back().push_back(std::move(next));
+                    continue;
+                }
+            }
+            chains.push_back({});
+            chains.back().push_back(std::move(next));
+        }
+        return chains;
+    }
+
+    void connect(const CurvatureState& from, const Link& last, const CurvatureState& to, const Link& next) {
+        const int before = last.planned.stroke, after = next.planned.stroke;
+        Driven driven;
+        if (search_) {
+            const std::uint64_t which = static_cast<std::uint64_t>(search_->row[last.place]) << 42 |
+                                        static_cast<std::uint64_t>(search_->row[next.place]) << 21 |
+                                        static_cast<std::uint64_t>(next.number);
+            driven = search_->made.connected(which, from, to, finished_, search_->pairs, options_);
+            if (last.place != next.place)
+                search_->pairs.learn(search_->row[last.place], search_->row[next.place],
+                                     search_->made.tried(which));
+        } else {
+            driven.joint = connect::connection(from, to, options_.connect);
+        }
+        const connect::Connection& joint = driven.joint;
+        if (last.place != next.place) cost_ += driven.cost;
+        if (driven.metres > 0 || driven.crossings > 0)
+            answer_.blemishes.push_back(
+                {before, after, begin_of(finished_, joint.curve), driven.metres, driven.crossings});
+        if (!joint.broken.empty()) {
+            ++answer_.fallbacks;
+            answer_.warnings.push_back(
+                {"connection after stroke " + std::to_string(before),
+                 "its style breaks a limit there (" + joint.broken + "): a bounded curve is driven"});
+        }
+        const bool turns = options_.connect.style == connect::Style::straight || robot_.min_radius <= 0;
+        answer_.dubins += !turns ? dubins_length(from.pose, to.pose, robot_.min_radius)
+                                 : distance(from.pose.at, to.pose.at);
+        append_pivot(answer_.legs, from.pose, joint.turn_before);
+        if (!joint.curve.pieces.empty())
+            answer_.legs.push_back(
+                {Motion::connect, -1, states_along(joint.curve, options_.drive.step), joint.curve});
+        append_pivot(answer_.legs, end_pose(joint.curve), joint.turn_after);
+        answer_.connections.push_back(
+            {before, after, joint.turn_before, joint.turn_after, joint.curve, std::move(driven.through)});
+    }
+
+    void take(drive::Drive& driven) {
+        for (Leg& leg : driven.legs) answer_.legs.push_back(std::move(leg));
+        for (const drive::Span& span : driven.undrivable) answer_.undrivable.push_back(span);
+        answer_.exact += driven.exact;
+        answer_.rounded += driven.rounded;
+        answer_.loops += driven.loops;
+        answer_.pivots += driven.pivots;
+    }
+
+    void finish(int group) {
+        finished_.groups[static_cast<std::size_t>(group)] = 1;
+        const Regions& area = job_.groups[static_cast<std::size_t>(group)].area;
+        if (!search_ || !options_.avoid.on || area.empty()) return;
+        finished_.ground.add(area);
+        finished_.areas.add(area);
+        finished_.any_area = true;
+    }
+
+    const Job& job_;
+    const std::vector<Going>& goings_;
+    const Robot& robot_;
+    const Options& options_;
+    const Search* search_;
+    Finished finished_;
+    Ordered answer_;
+    double cost_ = 0;
+};
+
+}  // namespace
+
+Draft drafted(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
+              const Search* search, const Progress& progress) {
+    return Drafter(job, goings, robot, options, search).make(progress);
+}
+
+}  // namespace strandline::order

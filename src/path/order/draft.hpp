@@ -1,0 +1,26 @@
+#pragma once
+// Private to the room: an order, driven.
+#include "path/order/detours.hpp"
+
+namespace strandline::order {
+
+struct Draft {
+    Ordered ordered;  ///< all but the tour
+    double cost = 0;  ///< metres: what lies between groups, turns, blemishes, and what variants are longer
+};
+/// What a search knows and learns: the candidates taken, what was driven between candidates.
+struct Search {
+    Pairs& pairs;
+    Made& made;
+    const std::vector<int>& row;
+};
+/// Drives groups in this order: strokes that nearly touch as one, connections between. Within a search: round
+/// what is finished.
+Draft drafted(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
+              const Search* search, const Progress& progress);
+
+/// The draft that no other order, found by annealing on what was driven, is cheaper than.
+Draft searched(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
+               const Progress& progress);
+
+}  // namespace strandline::order

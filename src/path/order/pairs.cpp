@@ -1,0 +1,138 @@
+#include "path/order/pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strandline::order {
+namespace {
+
+/// A metre over a finished area is guessed to cost so many metres of way round it.
+constexpr double guessed_detour = 1.5;
+
+/// Pairs of more candidates than this are not kept in a table.
+constexpr std::size_t most_tabled = 1500;
+
+bool is_fill(const Group& group) { return group.work.strokes.front().fill; }
+
+}  // namespace
+
+bool nearly_touch(Pose from, Pose to, const Robot& robot, const Options& options) {
+    // Rounding moves the ends that meet, and the legs could not be dealt back to their strokes.
+    if (options.drive.below == drive::Below::round || options.drive.above == drive::Above::round)
+        return false;
+    // A robot that turns on the spot for free gains nothing.
+    if (robot.min_radius <= 0 || options.connect.style == connect::Style::straight) return false;
+    const double gap = distance(from.at, to.at);
+    if (gap > options.min_gap) return false;
+    constexpr double touching = 1e-9;
+    if (gap <= touching)
+        return std::abs(wrap_angle(to.heading - from.heading)) < options.drive.corner_threshold;
+    const double across = heading(to.at - from.at);
+    return std::abs(wrap_angle(across - from.heading)) < options.drive.corner_threshold &&
+           std::abs(wrap_angle(to.heading - across)) < options.drive.corner_threshold;
+}
+
+Pairs::Pairs(const Job& job, const std::vector<tour::Step>& steps, const Robot& robot, const Options& options)
+    : job_(job), robot_(robot), options_(options), marks_(job, options.avoid, robot.min_radius) {
+    std::vector<const tour::Step*> by_group(job.groups.size());
+    for (const tour::Step& step : steps) by_group[static_cast<std::size_t>(step.element)] = &step;
+    first_.push_back(0);
+    for (const tour::Step* step : by_group) {
+        for (Candidate& candidate : order::candidates(job, *step, robot))
+            candidates_.push_back(std::move(candidate));
+        first_.push_back(static_cast<int>(candidates_.size()));
+    }
+    if (candidates_.size() <= most_tabled) table_.assign(candidates_.size() * candidates_.size(), -1);
+}
+
+int& Pairs::number(int from, int to) {
+    const std::size_t n = candidates_.size(), a = static_cast<std::size_t>(from),
+                      b = static_cast<std::size_t>(to);
+    if (!table_.empty()) return table_[a * n + b];
+    return numbers_.try_emplace(static_cast<std::uint64_t>(a) << 32 | b, -1).first->second;
+}
+
+Pairs::Entry& Pairs::entry(int from, int to) {
+    int& number = this->number(from, to);
+    if (number < 0) {
+        number = static_cast<int>(entries_.size());
+        entries_.push_back(first_look(from, to));
+    }
+    return entries_[static_cast<std::size_t>(number)];
+}
+
+Pairs::Entry Pairs::first_look(int from, int to) const {
+    Entry entry;
+    const Candidate &a = candidates_[static_cast<std::size_t>(from)],
+                    &b = candidates_[static_cast<std::size_t>(to)];
+    const bool lines = !is_fill(job_.groups[static_cast<std::size_t>(group_of(from))]) &&
+                       !is_fill(job_.groups[static_cast<std::size_t>(group_of(to))]);
+    if (lines && nearly_touch(a.rake_end, b.rake_start, robot_, options_)) {
+        entry = {distance(a.rake_end.at, b.rake_start.at), true, true, {{}}};
+        entry.passages.front().length = entry.shortest;
+        return entry;
+    }
+    entry.shortest = dubins_length(a.end, b.start, robot_.min_radius);
+    if (options_.connect.pivot) {
+        const double d = distance(a.end.at, b.start.at);
+        const double ahead = d > 0 ? heading(b.start.at - a.end.at) : b.start.heading;
+        const auto turned = [&](double angle) {
+            return angle == 0 ? 0
+                              : options_.connect.turn_start + options_.connect.turn_cost * std::abs(angle);
+        };
+        entry.shortest = std::min(entry.shortest, d + turned(wrap_angle(ahead - a.end.heading)) +
+                                                      turned(wrap_angle(b.start.heading - ahead)));
+    }
+    if (!options_.avoid.on) {
+        entry.weighed = true;
+        entry.passages = {{entry.shortest}};
+    }
+    return entry;
+}
+
+Passage Pairs::passage(double length, const Curve& curve, double area_cost, int left) const {
+    Passage result{length};
+    for (const Touch& touch : marks_.touched(curve)) {
+        const double metre =
+            touch.group == left ? options_.avoid.area_cost * options_.avoid.near_share : area_cost;
+        result.spoils.push_back(
+            {touch.group, touch.crossings * options_.avoid.crossing_cost + touch.metres * metre});
+    }
+    return result;
+}
+
+const std::vector<Passage>& Pairs::passages(int from, int to) {
+    Entry& found = entry(from, to);
+    if (found.weighed) return found.passages;
+    found.weighed = true;
+    const Pose a = candidates_[static_cast<std::size_t>(from)].end,
+               b = candidates_[static_cast<std::size_t>(to)].start;
+    std::vector<Curve> curves;
+    const double d = distance(a.at, b.at);
+    if (options_.connect.pivot && d > 0 && found.shortest < dubins_length(a, b, robot_.min_radius))
+        curves.push_back(straight({a.at, heading(b.at - a.at)}, d));
+    for (Curve& word : dubins_words(a, b, robot_.min_radius)) curves.push_back(std::move(word));
+    const auto whole = [](const Passage& p) {
+        double sum = p.length;
+        for (const Passage::Spoils& s : p.spoils) sum += s.cost;
+        return sum;
+    };
+    double least = std::numeric_limits<double>::infinity();
+    for (const Curve& curve : curves) {
+        const double l = found.passages.empty() ? found.shortest : length(curve);
+        if (l >= least) continue;  // a shorter one is cheaper, whatever is drawn
+        found.passages.push_back(passage(l, curve, guessed_detour, group_of(from)));
+        least = std::min(least, whole(found.passages.back()));
+    }
+    return found.passages;
+}
+
+void Pairs::learn(int from, int to, std::vector<Passage> driven) {
+    Entry& known = entry(from, to);
+    known.weighed = known.learnt = true;
+    std::ranges::sort(driven, {}, &Passage::length);
+    known.shortest = driven.front().length;
+    known.passages = std::move(driven);
+}
+
+}  // namespace strandline::order

@@ -1,0 +1,60 @@
+#include <algorithm>
+
+#include "path/order/draft.hpp"
+#include "path/order/sequence.hpp"
+
+namespace strandline::order {
+namespace {
+
+/// Metres: what the search may spend on a move at first, and in later rounds.
+constexpr double hot = 1.5, warm = 0.15;
+/// Passages weighed: by group, and at most; later rounds have a share of that.
+constexpr std::uint64_t work_by_group = 6'000, most_work = 4'000'000, later_share = 4;
+constexpr int most_rounds = 5;
+
+std::vector<Going> goings_of(const Row& row, const Pairs& pairs) {
+    std::vector<Going> goings;
+    for (const int candidate : row) goings.push_back(pairs.all()[static_cast<std::size_t>(candidate)].going);
+    return goings;
+}
+
+}  // namespace
+
+Draft searched(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
+               const Progress& progress) {
+    std::vector<tour::Step> steps;
+    for (const Going& going : goings) steps.push_back(going.step);
+    Pairs pairs(job, steps, robot, options);
+    Row row;
+    for (const Going& going : goings) {
+        const auto [first, end] = pairs.of_group(going.step.element);
+        int candidate = first;
+        while (candidate + 1 < end && !(pairs.all()[static_cast<std::size_t>(candidate)].going == going))
+            ++candidate;
+        row.push_back(candidate);
+    }
+    std::uint64_t work = std::min(work_by_group * row.size(), most_work);
+    row = annealed(std::move(row), job, pairs, hot, work, options.tour.seed, progress);
+    std::optional<Draft> best;
+    Row best_row;
+    Made made;
+    for (int round = 0; round < most_rounds; ++round) {
+        const Search search{pairs, made, row};
+        Draft draft = drafted(job, goings_of(row, pairs), robot, options, &search, progress);
+        if (!best || draft.cost < best->cost) {
+            best = std::move(draft);
+            best_row = row;
+        }
+        const Row next = annealed(best_row, job, pairs, warm, work / later_share,
+                                  options.tour.seed + static_cast<std::uint64_t>(round), progress);
+        if (next == row || next == best_row) break;
+        row = next;
+    }
+    std::vector<int> before, after;
+    for (const tour::Step& step : steps) before.push_back(step.element);
+    for (const int candidate : best_row) after.push_back(pairs.group_of(candidate));
+    best->ordered.reordered = before != after;
+    return std::move(*best);
+}
+
+}  // namespace strandline::order

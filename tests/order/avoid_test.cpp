@@ -1,0 +1,171 @@
+// What is finished is not driven over: areas where a way exists, lines where that costs less than it is
+// worth.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "path/order/order.hpp"
+
+namespace strandline::order {
+namespace {
+
+Group line_group(int element, Point a, Point b) {
+    Stroke stroke;
+    stroke.element = element;
+    stroke.rake_path = {straight({a, heading(b - a)}, distance(a, b))};
+    stroke.nodes = {{0, a, 0}, {distance(a, b), b, 1}};
+    return {.work = {element, {stroke}}, .name = "line " + std::to_string(element)};
+}
+
+/// A square whose one stroke runs along its lower edge, from right to left, and leaves it.
+Group square_group(int element, Point low, double side) {
+    Group group = line_group(element, low + Point{side - 0.3, 0.1}, low + Point{0.3, 0.1});
+    group.work.strokes[0].fill = group.work.strokes[0].one_way = true;
+    group.area = {Region{{low, low + Point{side, 0}, low + Point{side, side}, low + Point{0, side}}, {}}};
+    return group;
+}
+
+Options options_for(const Robot& robot, bool avoid) {
+    Options options;
+    options.connect.limits = connect::limits_of(robot);
+    options.avoid.on = avoid;
+    options.avoid.clearance = wheel_reach(robot);
+    options.avoid.radius = robot.min_radius;
+    return options;
+}
+
+double metres_within(const Curve& curve, const Region& region) {
+    double sum = 0;
+    const std::vector<CurvePoint> points = sampled(curve, 0.01);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (contains(region, between(points[i - 1].pose.at, points[i].pose.at, 0.5)))
+            sum += points[i].s - points[i - 1].s;
+    return sum;
+}
+
+/// Crossings of connections with lines that were drawn before them, apart from the first and last 5 cm.
+int crossings(const Ordered& answer) {
+    int count = 0;
+    for (const Connection& c : answer.connections) {
+        const std::vector<CurvePoint> points = sampled(c.curve, 0.01);
+        const Point begin = points.front().pose.at, end = points.back().pose.at;
+        for (std::size_t i = 1; i < points.size(); ++i)
+            for (int k = 0; k <= c.from; ++k) {
+                const Curve& line = answer.strokes[static_cast<std::size_t>(k)].rake_path.front();
+                const auto hit =
+                    crossing(points[i - 1].pose.at, points[i].pose.at, line.start.at, end_pose(line).at);
+                if (hit && hit->s < 1 && distance(hit->at, begin) > 0.05 && distance(hit->at, end) > 0.05)
+                    ++count;
+            }
+    }
+    return count;
+}
+
+/// A line on each side of a square that is done before the second.
+Job line_square_line() {
+    Job job{{line_group(0, {-3, 2}, {-1, 2}), square_group(1, {0, 0}, 4), line_group(2, {5, 2}, {7, 2}),
+             line_group(3, {-3, 2.6}, {-1, 2.6})},
+            {{1, 0}, {0, 2}, {2, 3}},
+            {},
+            {}};
+    return job;
+}
+
+TEST(Avoid, ConnectionsGoRoundFinishedAreas) {
+    const Robot robot = *builtin_robot("beachbot");
+    const Job job = line_square_line();
+    for (const bool avoid : {true, false}) {
+        const auto answer = ordered(job, robot, options_for(robot, avoid));
+        ASSERT_TRUE(answer);
+        ASSERT_EQ(answer->connections.size(), 3u);
+        double within = 0;
+        for (std::size_t k = 1; k < 3; ++k)
+            within += metres_within(answer->connections[k].curve, job.groups[1].area[0]);
+        if (avoid)
+            EXPECT_EQ(within, 0);
+        else
+            EXPECT_GT(within, 6);
+        for (const Blemish& blemish : answer->blemishes)
+            EXPECT_EQ(blemish.from, 0) << "but out of the square";
+    }
+}
+
+TEST(Avoid, WhereThereIsNoWayTheLeastBadOneIsTakenAndListed) {
+    const Robot robot = *builtin_robot("beachbot");
+    // A ring that is done first, and a line within it.
+    Job job{{line_group(0, {3, 3}, {4, 3}), square_group(1, {0, 0}, 7), line_group(2, {9, 3}, {11, 3})},
+            {{1, 0}, {0, 2}},
+            {},
+            {}};
+    job.groups[1].area[0].holes = {{{1.5, 1.5}, {1.5, 5.5}, {5.5, 5.5}, {5.5, 1.5}}};
+    const auto answer = ordered(job, robot, options_for(robot, true));
+    ASSERT_TRUE(answer);
+    double listed = 0;
+    for (const Blemish& blemish : answer->blemishes)
+        if (blemish.from == 1) {
+            listed += blemish.metres;
+            EXPECT_LT(distance_to_outline(job.groups[1].area[0].holes[0], blemish.at), 0.4);
+        }
+    const double within = metres_within(answer->connections[1].curve, job.groups[1].area[0]);
+    EXPECT_GE(within, 1.5 - 0.02);
+    EXPECT_LT(within, 2);
+    EXPECT_NEAR(listed, within + 2 * wheel_reach(robot), 0.15);
+}
+
+TEST(Avoid, AnOrderIsFoundThatCrossesLessAndWishesAreKept) {
+    const Robot robot = *builtin_robot("beachbot");
+    std::mt19937_64 random(7);
+    const auto uniform = [&](double high) { return high * static_cast<double>(random() >> 11) * 0x1p-53; };
+    int with = 0, without = 0;
+    for (int round = 0; round < 4; ++round) {
+        Job job;
+        for (int i = 0; i < 24; ++i) {
+            const Point a{uniform(8), uniform(8)};
+            job.groups.push_back(line_group(i, a, a + (0.5 + uniform(2)) * unit(uniform(2 * pi))));
+        }
+        job.before = {{3, 4}, {4, 5}, {10, 2}};
+        job.ties = {{7, 0, 8, 1}};
+        job.groups[11].direction = tour::Direction::backward;
+        for (const bool avoid : {true, false}) {
+            const auto answer = ordered(job, robot, options_for(robot, avoid));
+            ASSERT_TRUE(answer);
+            const int counted = crossings(*answer);
+            (avoid ? with : without) += counted;
+            if (avoid) {
+                int listed = 0;
+                for (const Blemish& blemish : answer->blemishes) listed += blemish.crossings;
+                EXPECT_NEAR(listed, counted, 1);  // chords of a curve, here and there, at a line's very end
+            }
+            std::vector<int> place(24);
+            for (std::size_t k = 0; k < 24; ++k)
+                place[static_cast<std::size_t>(answer->strokes[k].element)] = static_cast<int>(k);
+            for (const auto& [a, b] : job.before)
+                EXPECT_LT(place[static_cast<std::size_t>(a)], place[static_cast<std::size_t>(b)]);
+            EXPECT_EQ(std::abs(place[7] - place[8]), 1);
+            EXPECT_TRUE(answer->entries[static_cast<std::size_t>(place[11])].reversed);
+        }
+    }
+    EXPECT_LT(5 * with, without);
+}
+
+TEST(Avoid, BatchesStayTogetherAndInOrder) {
+    const Robot robot = *builtin_robot("beachbot");
+    Job job;
+    for (int i = 0; i < 12; ++i) job.groups.push_back(line_group(i, {0.4 * i, 0}, {0.4 * i, 2}));
+    job.batches = {{1, 3, 5, 7, 9, 11}, {0, 2, 4, 6, 8, 10}};
+    const auto answer = ordered(job, robot, options_for(robot, true));
+    ASSERT_TRUE(answer);
+    for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(answer->strokes[k].element % 2, k < 6 ? 1 : 0);
+}
+
+TEST(Avoid, TheSameJobGivesTheSameDrive) {
+    const Robot robot = *builtin_robot("beachbot");
+    const Job job = line_square_line();
+    const auto a = ordered(job, robot, options_for(robot, true)),
+               b = ordered(job, robot, options_for(robot, true));
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(a->legs, b->legs);
+}
+
+}  // namespace
+}  // namespace strandline::order
