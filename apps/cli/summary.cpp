@@ -56,6 +56,9 @@ std::string summary(const Plan& plan, const check::Report& report) {
                     f.up_dubins, f.up_driven,
                     f.loops_driven > 0 ? fmt::format(" + {:.2f} m in corner loops", f.loops_driven) : ""));
     row("order", std::string(f.tour_proven ? "proven optimal for straight gaps" : "searched") +
+                     (f.tour_parts > 0 ? fmt::format(" in {} parts of neighbours, {:.2f} m longer (straight)",
+                                                     f.tour_parts, f.tour_longer)
+                                       : "") +
                      (f.reproducible ? "" : ", stopped early: not reproducible"));
     row("time", duration(f.time));
     if (f.regions > 0) {

@@ -34,13 +34,6 @@ void print_figures(const tour::Tour& tour, const TourArguments& arguments, const
     }
 }
 
-tour::Method method_of(const std::string& name) {
-    return name == "exact"     ? tour::Method::exact
-           : name == "nearest" ? tour::Method::nearest
-           : name == "file"    ? tour::Method::file
-                               : tour::Method::best;
-}
-
 /// What another solver found, recounted.
 Outcome<tour::Tour> read_tour(const std::string& file, const tour::Problem& problem) {
     const auto text = read_input(file);
@@ -80,7 +73,7 @@ int tour(const TourArguments& arguments, const Common& common) {
         return done;
     }
 
-    const tour::Options options{.method = method_of(arguments.method),
+    const tour::Options options{.method = *tour::method_named(arguments.method),
                                 .grouped = arguments.order == "grouped",
                                 .threads = arguments.threads,
                                 .seed = arguments.seed,

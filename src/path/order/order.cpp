@@ -65,8 +65,13 @@ Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& opti
     std::vector<Going> goings = with_driven_senses(job, tour->steps, robot);
     // Where turns cost nothing, straight gaps are what is driven, and nothing is rolled over.
     const bool curved = robot.min_radius > 0 && options.connect.style != connect::Style::straight;
-    Ordered answer = curved ? searched(job, goings, robot, options, progress).ordered
-                            : drafted(job, goings, robot, options, nullptr, progress).ordered;
+    const bool searches =
+        curved && !options.straight &&
+        (options.tour.method == tour::Method::best || options.tour.method == tour::Method::exact);
+    Job parted = job;
+    if (!tour->groups.empty()) parted.batches = tour->groups;
+    Ordered answer = searches ? searched(parted, goings, robot, options, progress).ordered
+                              : drafted(job, goings, robot, options, nullptr, progress).ordered;
     answer.tour = *tour;
     progress.report("driving", 1);
     return answer;

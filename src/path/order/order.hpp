@@ -67,6 +67,7 @@ struct Options {
     drive::Options drive;
     connect::Options connect;
     Avoid avoid;
+    bool straight = false;  ///< the order of least straight gaps stays; nothing is avoided
     double min_gap = 0.02;  ///< metres: nearer strokes are joined directly
 };
 

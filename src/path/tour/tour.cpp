@@ -143,6 +143,14 @@ Outcome<Tour> solve_as_given(const Problem& problem, const Options& options, con
 
 }  // namespace
 
+std::optional<Method> method_named(std::string_view name) {
+    if (name == "best") return Method::best;
+    if (name == "exact") return Method::exact;
+    if (name == "nearest") return Method::nearest;
+    if (name == "file") return Method::file;
+    return std::nullopt;
+}
+
 Outcome<Tour> solve(const Problem& problem, const Options& options, const Progress& progress) {
     if (!options.grouped) return solve_as_given(problem, options, progress);
     std::size_t grouped = 0;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
@@ -49,6 +50,7 @@ struct Step {
 /// there is without a search, to compare with: nearest neighbour with reversal, and the order of the file,
 /// each element as it is drawn (as far as the rules allow).
 enum class Method { best, exact, nearest, file };
+std::optional<Method> method_named(std::string_view name);
 struct Options {
     Method method = Method::best;
     bool grouped = false;  ///< neighbouring elements are finished together

@@ -77,7 +77,10 @@ struct Options {
     struct TourSearch {  // "tour.*"
         bool inner_first = true, has_start = false;
         double start_x = 0, start_y = 0;
-        int seed = 1, moves = 0;
+        std::string method = "best";  // best | exact | nearest | file
+        std::string cost = "driven";  // driven | straight
+        bool grouped = false;
+        int seed = 1, moves = 0, threads = 1;
         double time_limit = 0;
         bool operator==(const TourSearch&) const = default;
     } tour;
@@ -222,6 +225,8 @@ struct Figures {
     int direct = 0;     ///< gaps joined directly (under connect.min_length)
     int fallbacks = 0;  ///< anything done another way than asked; each has a warning
     bool tour_proven = false;
+    int tour_parts = 0;      ///< neighbours finished together; 0: not asked for
+    double tour_longer = 0;  ///< m, straight, that this took at first, before the driven search
     bool reproducible = true;
     double fill_area = 0, fill_swept = 0;  ///< m^2
     /// What the strokes of all areas leave when a bar goes along them exactly, shares of fill_area: raked,

@@ -48,6 +48,10 @@ namespace {
 
 order::Options order_options(const Options& options, const Robot& robot) {
     order::Options o;
+    o.tour.method = *tour::method_named(options.tour.method);
+    o.tour.grouped = options.tour.grouped;
+    o.tour.threads = options.tour.threads;
+    o.straight = options.tour.cost == "straight";
     o.tour.seed = static_cast<std::uint64_t>(options.tour.seed);
     o.tour.moves = static_cast<std::uint64_t>(options.tour.moves);
     o.drive.corner_threshold = options.corner.threshold;
@@ -156,6 +160,8 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
     f.corners_pivoted = ordered.pivots;
     f.direct = ordered.direct;
     f.tour_proven = ordered.tour.proven_optimal && !ordered.reordered;
+    f.tour_parts = static_cast<int>(ordered.tour.groups.size());
+    f.tour_longer = f.tour_parts > 0 ? ordered.tour.length - ordered.tour.ungrouped : 0;
     f.reproducible = !ordered.tour.stopped;
     for (const drive::Span& span : ordered.undrivable)
         plan.undrivable.push_back({"the rake leaves its path, metres", span.at, span.length});

@@ -162,6 +162,8 @@ void fields(Either<Figures> auto& figures, Visit&& field) {
     field("direct", figures.direct);
     field("fallbacks", figures.fallbacks);
     field("tour_proven", figures.tour_proven);
+    field("tour_parts", figures.tour_parts);
+    field("tour_longer", figures.tour_longer);
     field("reproducible", figures.reproducible);
     field("fill_area", figures.fill_area);
     field("fill_swept", figures.fill_swept);
