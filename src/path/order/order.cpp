@@ -65,9 +65,11 @@ Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& opti
     std::vector<Going> goings = with_driven_senses(job, tour->steps, robot);
     // Where turns cost nothing, straight gaps are what is driven, and nothing is rolled over.
     const bool curved = robot.min_radius > 0 && options.connect.style != connect::Style::straight;
-    Ordered answer = curved ? searched(job, goings, robot, options, progress).ordered
-                            : drafted(job, goings, robot, options, nullptr, progress).ordered;
+    Draft draft = curved ? searched(job, goings, robot, options, progress)
+                         : drafted(job, goings, robot, options, nullptr, progress);
+    Ordered answer = std::move(draft.ordered);
     answer.tour = *tour;
+    answer.tour.stopped |= draft.stopped;
     progress.report("driving", 1);
     return answer;
 }
