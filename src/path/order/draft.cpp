@@ -60,7 +60,7 @@ class Drafter {
                 cost_ += job_.groups[static_cast<std::size_t>(going.step.element)]
                              .variants[static_cast<std::size_t>(going.variant)]
                              .longer;
-        return {std::move(answer_), cost_};
+        return {std::move(answer_), false, cost_};
     }
 
   private:

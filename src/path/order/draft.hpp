@@ -5,7 +5,8 @@
 namespace strandline::order {
 
 struct Draft {
-    Ordered ordered;  ///< all but the tour
+    Ordered ordered;       ///< all but the tour
+    bool stopped = false;  ///< progress ended the search: not reproducible
     double cost = 0;  ///< metres: what lies between groups, turns, blemishes, and what variants are longer
 };
 /// What a search knows and learns: the candidates taken, what was driven between candidates.

@@ -70,9 +70,11 @@ Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& opti
         (options.tour.method == tour::Method::best || options.tour.method == tour::Method::exact);
     Job parted = job;
     if (!tour->groups.empty()) parted.batches = tour->groups;
-    Ordered answer = searches ? searched(parted, goings, robot, options, progress).ordered
-                              : drafted(job, goings, robot, options, nullptr, progress).ordered;
+    Draft draft = searches ? searched(parted, goings, robot, options, progress)
+                           : drafted(job, goings, robot, options, nullptr, progress);
+    Ordered answer = std::move(draft.ordered);
     answer.tour = *tour;
+    answer.tour.stopped |= draft.stopped;
     progress.report("driving", 1);
     return answer;
 }

@@ -10,6 +10,8 @@ namespace {
 constexpr double hot = 1.5, warm = 0.15;
 /// Passages weighed: by group, and at most; later rounds have a share of that.
 constexpr std::uint64_t work_by_group = 6'000, most_work = 4'000'000, later_share = 4;
+/// Of a budget in moves: the tour's moves take about as long as so many passages.
+constexpr std::uint64_t work_by_move = 50;
 constexpr int most_rounds = 5;
 
 std::vector<Going> goings_of(const Row& row, const Pairs& pairs) {
@@ -34,7 +36,12 @@ Draft searched(const Job& job, const std::vector<Going>& goings, const Robot& ro
         row.push_back(candidate);
     }
     std::uint64_t work = std::min(work_by_group * row.size(), most_work);
-    row = annealed(std::move(row), job, pairs, hot, work, options.tour.seed, progress);
+    if (options.tour.moves > 0) work = std::min(work, work_by_move * options.tour.moves);
+    Annealed found = annealed(
+        std::move(row), job, pairs,
+        {.hot = hot, .work = work, .least = work / later_share, .seed = options.tour.seed}, progress);
+    bool stopped = found.stopped;
+    row = std::move(found.row);
     std::optional<Draft> best;
     Row best_row;
     Made made;
@@ -45,14 +52,21 @@ Draft searched(const Job& job, const std::vector<Going>& goings, const Robot& ro
             best = std::move(draft);
             best_row = row;
         }
-        const Row next = annealed(best_row, job, pairs, warm, work / later_share,
-                                  options.tour.seed + static_cast<std::uint64_t>(round), progress);
+        if (stopped) break;
+        found = annealed(best_row, job, pairs,
+                         {.hot = warm,
+                          .work = work / later_share,
+                          .seed = options.tour.seed + static_cast<std::uint64_t>(round)},
+                         progress);
+        stopped = found.stopped;
+        const Row& next = found.row;
         if (next == row || next == best_row) break;
         row = next;
     }
     std::vector<int> before, after;
     for (const tour::Step& step : steps) before.push_back(step.element);
     for (const int candidate : best_row) after.push_back(pairs.group_of(candidate));
+    best->stopped = stopped;
     best->ordered.reordered = before != after;
     return std::move(*best);
 }

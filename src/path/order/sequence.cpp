@@ -59,22 +59,27 @@ class Annealer {
         for (const double c : costs_) sum_ += c;
     }
 
-    Row run(double hot, std::uint64_t work, const Progress& progress) {
-        Row best = row_;
+    Annealed run(const Annealing& options, const Progress& progress) {
+        const double hot = options.hot;
+        Annealed best{row_};
         double least = sum_;
         double heat = hot;
         constexpr std::uint64_t between_looks = 64;
-        for (std::uint64_t moves = 0; work_ < work; ++moves) {
+        for (std::uint64_t moves = 0; work_ < options.work; ++moves) {
             if (moves % between_looks == 0) {
-                if (progress.stopped()) break;
-                heat = hot * std::pow(cold / hot, static_cast<double>(work_) / static_cast<double>(work));
+                if (work_ >= options.least && progress.stopped()) {
+                    best.stopped = true;
+                    break;
+                }
+                heat = hot *
+                       std::pow(cold / hot, static_cast<double>(work_) / static_cast<double>(options.work));
             }
             // the Metropolis rule, turned round: what a move may cost is drawn first
             step(-heat * std::log(1 - uniform()));
             ++work_;
             if (sum_ < least - 1e-9) {
                 least = sum_;
-                best = row_;
+                best.row = row_;
             }
         }
         return best;
@@ -315,10 +320,9 @@ double cost_of(const Row& row, const Job& job, Pairs& pairs) {
     return sum;
 }
 
-Row annealed(Row row, const Job& job, Pairs& pairs, double hot, std::uint64_t work, std::uint64_t seed,
-             const Progress& progress) {
-    if (row.size() < 2) return row;
-    return Annealer(std::move(row), job, pairs, seed).run(hot, work, progress);
+Annealed annealed(Row row, const Job& job, Pairs& pairs, const Annealing& options, const Progress& progress) {
+    if (row.size() < 2) return {std::move(row)};
+    return Annealer(std::move(row), job, pairs, options.seed).run(options, progress);
 }
 
 }  // namespace strandline::order

@@ -12,11 +12,20 @@ using Row = std::vector<int>;
 /// What a row costs: passages by what is finished before them, and what candidates are longer.
 double cost_of(const Row& row, const Job& job, Pairs& pairs);
 
-/// Simulated annealing (Kirkpatrick, Gelatt, Vecchi 1983) from `hot` metres down: parts of the row are moved
+struct Annealing {
+    double hot = 1.5;         ///< metres that a move may cost at first, about
+    std::uint64_t work = 0;   ///< passages weighed, at most
+    std::uint64_t least = 0;  ///< so many whatever progress says
+    std::uint64_t seed = 1;
+};
+/// A row, and whether progress ended the search.
+struct Annealed {
+    Row row;
+    bool stopped = false;
+};
+/// Simulated annealing (Kirkpatrick, Gelatt, Vecchi 1983): parts of the row are moved
 /// beside a neighbour, or turned about, and groups are gone through another way. What is fixed, tied, ordered
-/// or in batches stays so. `work`: passages weighed, at most. Deterministic for the seed. Never worse than
-/// the row given.
-Row annealed(Row row, const Job& job, Pairs& pairs, double hot, std::uint64_t work, std::uint64_t seed,
-             const Progress& progress);
+/// or in batches stays so. Deterministic for the seed, unless stopped. Never worse than the row given.
+Annealed annealed(Row row, const Job& job, Pairs& pairs, const Annealing& options, const Progress& progress);
 
 }  // namespace strandline::order
