@@ -105,14 +105,12 @@ Outcome<void> set_canvas(Options& options, const std::string& text) {
     return {};
 }
 
-Outcome<void> set_start(Options& options, const std::string& text) {
+Outcome<void> set_drive_end(Options& options, const std::string& which, const std::string& text) {
     const std::size_t comma = text.find(',');
     if (comma == std::string::npos)
-        return fail("--start " + text, "is not X,Y", "write for example --start 0,3.5m");
-    if (auto x = set(options, "tour.start_x", text.substr(0, comma)); !x) return x;
-    if (auto y = set(options, "tour.start_y", text.substr(comma + 1)); !y) return y;
-    options.tour.has_start = true;
-    return {};
+        return fail("--" + which + " " + text, "is not X,Y", "write for example --" + which + " 0,3.5m");
+    if (auto x = set(options, "tour." + which + "_x", text.substr(0, comma)); !x) return x;
+    return set(options, "tour." + which + "_y", text.substr(comma + 1));
 }
 
 }  // namespace strandline::cli

@@ -30,6 +30,6 @@ Outcome<Edit> parse_direction(const std::string& text);
 Outcome<void> set_place(Options& options, const std::string& text);
 /// "14mx10m", "20x10", "A4".
 Outcome<void> set_canvas(Options& options, const std::string& text);
-Outcome<void> set_start(Options& options, const std::string& text);
+Outcome<void> set_drive_end(Options& options, const std::string& which, const std::string& text);
 
 }  // namespace strandline::cli

@@ -43,7 +43,8 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
     if (done && !a.occlusion.empty()) done = set(wishes.options, "drawing.occlusion", a.occlusion);
     if (done && a.invert) done = set(wishes.options, "ink.invert", "on");
     if (done && !a.dpi.empty()) done = set(wishes.options, "drawing.dpi", a.dpi);
-    if (done && !a.start.empty()) done = set_start(wishes.options, a.start);
+    if (done && !a.start.empty()) done = set_drive_end(wishes.options, "start", a.start);
+    if (done && !a.end.empty()) done = set_drive_end(wishes.options, "end", a.end);
     for (const std::string& text : a.settings)
         if (done) done = set_from_text(wishes, text);
     const auto add_edits = [&](const std::vector<std::string>& texts, auto parse) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "answers.hpp"
+#include "leading.hpp"
 #include "project_text.hpp"
 
 namespace strandline::serve {
@@ -50,6 +51,12 @@ Reply edit(Workspace& workspace, const Call& call) {
     if (!asked) return refusal(400, asked.error());
     return changed(workspace.change(
         asked->revision, [&](Project& project) { return take_step(project, std::move(asked->step)); }));
+}
+
+Reply lead(const Workspace& workspace, const Call& call) {
+    if (call.body.size() > largest_json)
+        return refusal(413, {"body", "is larger than 8 MB", "send fewer poses"});
+    return leading_reply(workspace, call.body);
 }
 
 Reply move_along(Workspace& workspace, const Call& call, Outcome<void> (*move)(Project&)) {
@@ -157,6 +164,7 @@ Reply Api::answer_project(const Call& call, Workspace& workspace, const std::str
     if (what == "edits") return post ? edit(workspace, call) : not_allowed(call.method);
     if (what == "undo") return post ? move_along(workspace, call, undo) : not_allowed(call.method);
     if (what == "redo") return post ? move_along(workspace, call, redo) : not_allowed(call.method);
+    if (what == "connection") return post ? lead(workspace, call) : not_allowed(call.method);
     if (what == "source") return post ? take_source(workspace, call) : not_allowed(call.method);
 
     const std::size_t slash = what.find('/');

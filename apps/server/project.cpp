@@ -14,13 +14,17 @@ struct Visit : F... {
 };
 
 constexpr std::string_view robot_prefix = "robot.";
+constexpr std::string_view robot_profile = "robot.profile";
 
 Outcome<void> set_up_robot(State& state) {
     const auto base = state.settings.find("robot");
     state.robot_name = base == state.settings.end() ? "beachbot" : base->second;
-    auto robot = builtin_robot(state.robot_name);
+    const auto profile = state.settings.find(std::string(robot_profile));
+    const bool own = profile != state.settings.end();
+    auto robot = own ? read_robot(profile->second, profile->first) : builtin_robot(state.robot_name);
+    if (own && robot) state.robot_name = robot->name;
     for (const auto& [key, value] : state.settings)
-        if (robot && key.starts_with(robot_prefix))
+        if (robot && key.starts_with(robot_prefix) && key != robot_profile)
             robot = with_field(*robot, key.substr(robot_prefix.size()), value);
     if (!robot) return tl::unexpected(robot.error());
     state.robot = std::move(*robot);
@@ -74,7 +78,12 @@ bool same_thing(const Edit& a, const Edit& b) {
             return edit.element == other.element && edit.name == other.name;
         },
         [](const OrderEdit&) { return true; },
-        [&](const DrawEdit& edit) { return edit.element == std::get<DrawEdit>(b).element; }};
+        [&](const DrawEdit& edit) { return edit.element == std::get<DrawEdit>(b).element; },
+        [&](const ThroughEdit& edit) {
+            const auto& other = std::get<ThroughEdit>(b);
+            return (edit.from == other.from && edit.to == other.to) ||
+                   (edit.from == other.to && edit.to == other.from);
+        }};
     return std::visit(compare, a);
 }
 

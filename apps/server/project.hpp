@@ -19,7 +19,8 @@ struct SourceFile {
     bool operator==(const SourceFile&) const = default;
 };
 
-/// "fill.spacing", "robot" (a built-in's name), "robot.FIELD". Empty value: back to what it is by default.
+/// "fill.spacing", "robot" (a built-in's name), "robot.profile" (TOML; goes before the name), "robot.FIELD".
+/// Empty value: back to what it is by default.
 struct SetChange {
     std::string key, value;
 };

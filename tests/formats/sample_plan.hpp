@@ -77,7 +77,8 @@ inline Plan sample_plan() {
                   DirectionEdit{"second", "backward"},
                   HintEdit{"first", "pins", "3"},
                   OrderEdit{{"second", "first"}},
-                  DrawEdit{"pen", {path_through({{0.5, 1.25}, {3, 4}, {5, 4.125}}, false)}, 2, 0.03}};
+                  DrawEdit{"pen", {path_through({{0.5, 1.25}, {3, 4}, {5, 4.125}}, false)}, 2, 0.03},
+                  ThroughEdit{"second", "first", {{{1.5, 2.25}, -0.5}, {{3, 2}, 0.125}}}};
     plan.idle_edits = {"entry of #gone, node 3"};
 
     Drawing& drawing = plan.drawing;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "plan/pipeline/pipeline.hpp"
 
@@ -77,6 +78,91 @@ TEST(Edits, OneWhosePlaceIsGoneIsListedAndChangesNothing) {
     EXPECT_EQ(plan.idle_edits.size(), 3u);
     const Plan without = planned({});
     EXPECT_EQ(plan.samples, without.samples);
+}
+
+/// The first connection from one element to another, its index, and the two names.
+struct Trip {
+    int index = -1;
+    std::string from, to;
+    Curve curve;
+};
+Trip first_trip(const Plan& plan) {
+    const auto name = [&](int stroke) {
+        const int of = plan.strokes[static_cast<std::size_t>(stroke)].element;
+        return plan.drawing.elements[static_cast<std::size_t>(of)].id;
+    };
+    for (std::size_t i = 0; i < plan.connections.size(); ++i)
+        if (const PlannedConnection& c = plan.connections[i]; name(c.from) != name(c.to))
+            return {static_cast<int>(i), name(c.from), name(c.to), c.curve};
+    return {};
+}
+/// Half way along, moved to the left.
+Pose beside(const Curve& curve, double left) {
+    const Pose half = point_at(curve, length(curve) / 2).pose;
+    return {half.at + left * Point{-std::sin(half.heading), std::cos(half.heading)}, half.heading};
+}
+double nearest(const Curve& curve, Point p) {
+    double best = distance(curve.start.at, p);
+    for (const CurvePoint& here : sampled(curve, 1e-3)) best = std::min(best, distance(here.pose.at, p));
+    return best;
+}
+
+TEST(Edits, AConnectionIsLedThroughPosesWithinTheLimits) {
+    const Plan plain = planned({});
+    const Trip trip = first_trip(plain);
+    ASSERT_GE(trip.index, 0);
+    const Pose pose = beside(trip.curve, 1);
+    ASSERT_GT(nearest(trip.curve, pose.at), 0.5);
+    const Plan led = planned({ThroughEdit{trip.from, trip.to, {pose}}});
+    EXPECT_TRUE(led.idle_edits.empty());
+    EXPECT_EQ(driven(led), driven(plain));
+    const Curve& curve = led.connections[static_cast<std::size_t>(trip.index)].curve;
+    EXPECT_LT(nearest(curve, pose.at), 1e-3);
+    EXPECT_LE(max_curvature(curve), 1 / led.robot.min_radius + 1e-6);
+    const auto asked = led_connection(plain, trip.index, {pose});
+    ASSERT_TRUE(asked);
+    EXPECT_EQ(asked->curve, curve);
+    // Named the other way round it is the same way, driven back.
+    const Plan back = planned({ThroughEdit{trip.to, trip.from, {{pose.at, pose.heading - pi}}}});
+    EXPECT_EQ(back.connections[static_cast<std::size_t>(trip.index)].curve, curve);
+}
+
+TEST(Edits, AConnectionThatIsNotThereOrCannotBeLedIsSaidSo) {
+    const Plan plain = planned({});
+    const std::vector<std::string> order = driven(plain);
+    ASSERT_GE(order.size(), 3u);
+    const Plan idle = planned({ThroughEdit{order[0], order[2], {{{5, 5}, 0}}}});
+    ASSERT_EQ(idle.idle_edits.size(), 1u);
+    EXPECT_NE(idle.idle_edits[0].find("not driven one after the other"), std::string::npos);
+    EXPECT_EQ(idle.samples, plain.samples);
+    const auto plotter = make_plan(source, *builtin_robot("plotter"), {}, {});
+    ASSERT_TRUE(plotter) << sentence(plotter.error());
+    EXPECT_FALSE(led_connection(*plotter, 0, {{{5, 5}, 0}}));
+    EXPECT_FALSE(led_connection(plain, 1000, {}));
+}
+
+TEST(Edits, PosesTooNearToEachOtherMakeALoopThatIsTold) {
+    const Plan plain = planned({});
+    const Trip trip = first_trip(plain);
+    const Pose pose = beside(trip.curve, 0);
+    EXPECT_FALSE(led_connection(plain, trip.index, {pose})->loops);
+    const Pose turned{pose.at + Point{0.01, 0}, pose.heading + pi};
+    const auto looped = led_connection(plain, trip.index, {pose, turned});
+    ASSERT_TRUE(looped);
+    EXPECT_TRUE(looped->loops);
+    EXPECT_LE(max_curvature(looped->curve), 1 / plain.robot.min_radius + 1e-6);
+}
+
+TEST(Edits, TheDriveEndsNearThePlaceThatIsAskedFor) {
+    for (const Point corner : {Point{1, 1}, Point{13, 13}, Point{1, 13}}) {
+        Options options;
+        options.tour.inner_first = false;
+        ASSERT_TRUE(set(options, "tour.end_x", std::to_string(corner.x)));
+        ASSERT_TRUE(set(options, "tour.end_y", std::to_string(corner.y)));
+        const auto plan = make_plan(source, *builtin_robot("beachbot"), options, {});
+        ASSERT_TRUE(plan);
+        EXPECT_LT(distance(plan->samples.back().rake, corner), 1) << corner.x << ' ' << corner.y;
+    }
 }
 
 TEST(Planner, PlansAsIfItHadKeptNothing) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -166,6 +167,32 @@ TEST_F(ApiTest, ALinkOutOfTheFolderIsNotFollowed) {
     std::filesystem::create_symlink(outside.path / "secret.strandline", folder.path / "secret.strandline");
     ask("GET", "projects/secret", "", 404);
     EXPECT_TRUE(ask("GET", "projects")["projects"].empty());
+}
+
+TEST_F(ApiTest, AConnectionIsTriedWithoutChangingAnything) {
+    const std::string id = begin();
+    settled(id);
+    const std::string path = "projects/" + id + "/connection";
+    const auto wish = [](const std::string& plan, const std::string& connection, const std::string& through) {
+        return R"({"plan":)" + plan + R"(,"connection":)" + connection + R"(,"through":)" + through + "}";
+    };
+    const Json plain = ask("POST", path, wish("1", "0", "[]"));
+    const Json led = ask("POST", path, wish("1", "0", "[[7,3,0.5]]"));
+    EXPECT_GT(led["length"], plain["length"]);
+    double nearest = 1;
+    for (std::size_t i = 0; i < led["points"].size(); i += 2)
+        nearest = std::min(
+            nearest, std::hypot(led["points"][i].get<double>() - 7, led["points"][i + 1].get<double>() - 3));
+    EXPECT_LT(nearest, 0.1);
+    ask("POST", path, wish("2", "0", "[]"), 409);
+    ask("POST", path, wish("1", "99", "[]"), 422);
+    for (const char* wrong : {"7", "[[1,2]]", "[[1,2,\"x\"]]", "[[1,2,null]]"})
+        ask("POST", path, wish("1", "0", wrong), 400);
+    ask("POST", path, wish("1", "0", "[[1e300,0,0]]"), 422);
+    ask("POST", path, "[", 400);
+    ask("POST", path, R"({"plan":1e99,"connection":-5,"through":[]})", 400);
+    ask("GET", path, "", 405);
+    EXPECT_EQ(ask("GET", "projects/" + id)["revision"], 1);
 }
 
 TEST_F(ApiTest, WhatIsToldLastIsWhatHolds) {

@@ -74,6 +74,23 @@ TEST(Project, SettingsFollowTheCanvasUnlessTheyAreSet) {
     EXPECT_LT(state_of(p)->options.canvas.margin, 0.01);
 }
 
+TEST(Project, ARobotOfOnesOwnIsTakenByItsProfile) {
+    Project p = project();
+    const std::string toml = "base = \"turf\"\nname = \"mine\"\nmin_radius = 0.8\n";
+    ASSERT_TRUE(take_step(p, {"", {SetChange{"robot.profile", toml}, SetChange{"robot.speed", "0.4"}}}));
+    const State state = *state_of(p);
+    EXPECT_EQ(state.robot_name, "mine");
+    EXPECT_DOUBLE_EQ(state.robot.min_radius, 0.8);
+    EXPECT_DOUBLE_EQ(state.robot.speed, 0.4);
+    EXPECT_EQ(state.robot.pins, builtin_robot("turf")->pins);
+    EXPECT_EQ(state_of(*read_project(write_project(p), "p"))->robot, state.robot);
+    const auto wrong = take_step(p, {"", {SetChange{"robot.profile", "min_radius = -1"}}});
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(sentence(wrong.error()).find("min_radius"), std::string::npos);
+    ASSERT_TRUE(take_step(p, {"", {SetChange{"robot.profile", ""}}}));
+    EXPECT_EQ(state_of(p)->robot_name, "beachbot");
+}
+
 TEST(Project, WrittenAndReadItIsTheSame) {
     Project p = project();
     p.sources.push_back(

@@ -1,7 +1,7 @@
 // What is looked at and with which tool: not part of the project.
 import { Store } from './store'
 
-export type ToolName = 'select' | 'link' | 'start' | 'entry' | 'fill' | 'cut' | 'draw' | 'text' | 'erase'
+export type ToolName = 'select' | 'link' | 'shape' | 'start' | 'end' | 'entry' | 'fill' | 'cut' | 'draw' | 'text' | 'erase'
 export type Tab = 'plan' | 'order' | 'settings' | 'changes'
 
 export interface ViewState {
@@ -26,6 +26,8 @@ export interface ViewState {
   /** A setting that the settings panel is to show. */
   wantedSetting: string
   fill: { style: string; whole: boolean }
+  /** The connection that is being shaped, and which of its points is meant (-1: none). */
+  shape: { from: string; to: string; pose: number } | null
   pen: { pins: number; smooth: number }
   text: { text: string; font: string; height: number; align: 'left' | 'centre' | 'right' }
 }
@@ -49,6 +51,7 @@ export const view = new Store<ViewState>({
   speed: 20,
   wantedSetting: '',
   fill: { style: 'zigzag', whole: true },
+  shape: null,
   pen: { pins: 1, smooth: 0.03 },
   text: { text: 'Hello', font: 'scripts', height: 1, align: 'left' },
 })

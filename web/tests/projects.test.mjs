@@ -88,6 +88,20 @@ test('an answer that was overtaken by a newer event does not take its place', as
   assert.equal(await page.evaluate(() => window.strandline.session.now.planning), false)
 })
 
+test('a robot of one\'s own is taken by its profile, and a wrong one is refused', async () => {
+  await page.click('role=tab[name="Settings"]')
+  await page.click('summary:has-text("Robot")')
+  const profile = (text) => ({ name: 'mine.toml', mimeType: 'text/plain', buffer: Buffer.from(text) })
+  const now = await edited(page, () => page.setInputFiles('input[aria-label="Robot profile"]', profile('base = "turf"\nname = "mine"\nmin_radius = 0.8\n')))
+  assert.deepEqual([now.robot_name, now.robot.min_radius], ['mine', 0.8])
+  assert.equal(await page.inputValue('#set-robot'), '')
+  await page.setInputFiles('input[aria-label="Robot profile"]', profile('min_radius = -1'))
+  await page.getByRole('status').getByText('min_radius').waitFor()
+  assert.equal((await standing(page)).robot_name, 'mine')
+  const back = await edited(page, () => page.selectOption('#set-robot', 'beachbot'))
+  assert.deepEqual([back.robot_name, back.set], ['beachbot', ['robot']])
+})
+
 test('SVG and PNG are opened and dropped, each a project of its own', async () => {
   const svg = join(root, 'drawings/hello.svg')
   await page.click('text=Project')

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { after, before, beforeEach, test } from 'node:test'
 import { join } from 'node:path'
-import { at, click, drag, edited, elements, openEditor, root, settled, standing, startBrowser, startServer, tempFolder, view } from './editor.mjs'
+import { at, click, drag, edited, elements, openEditor, pictures, root, settled, standing, startBrowser, startServer, tempFolder, view } from './editor.mjs'
 
 let browser, server, folder, page
 before(async () => {
@@ -66,6 +66,78 @@ test('Escape lets a connection go that was begun', async () => {
   assert.deepEqual(await edits(), [])
 })
 
+/** Connections between elements as the page has them: names, and the robot's way. */
+const trips = () =>
+  page.evaluate(() => {
+    const { drawing, drive, samples } = window.strandline.session.now
+    const name = (stroke) => drawing.elements[drive.strokes[stroke].element].id
+    return drive.connections
+      .filter((c) => name(c.from) !== name(c.to))
+      .map((c) => {
+        let [first, last] = [drive.strokes[c.from].last, drive.strokes[c.to].first]
+        while (samples.motion[first] !== 3) first++
+        while (samples.motion[last - 1] !== 3) last--
+        const way = []
+        for (let i = first; i <= last; i++) way.push([samples.x[i], samples.y[i]])
+        return { from: name(c.from), to: name(c.to), way }
+      })
+  })
+const nearest = (way, [x, y]) => Math.min(...way.map((p) => Math.hypot(p[0] - x, p[1] - y)))
+
+test('shape leads a connection through points that are put in, moved, turned and taken out', async () => {
+  const longest = (await trips()).reduce((a, b) => (a.way.length > b.way.length ? a : b))
+  const middle = longest.way[longest.way.length >> 1]
+  const same = async () => (await trips()).find((t) => t.from === longest.from && t.to === longest.to)
+  const pose = async () => (await edits()).find((e) => e.edit === 'through').poses[0]
+  await page.keyboard.press('h')
+  await click(page, ...middle)
+  assert.deepEqual((await view(page)).shape, { from: longest.from, to: longest.to, pose: -1 })
+  assert.deepEqual(await edits(), [], 'a click changes nothing')
+  // Put in, and the curve is asked for while it is dragged.
+  const asked = page.waitForResponse((r) => r.url().endsWith('/connection') && r.status() === 200)
+  await edited(page, () => drag(page, [middle, [middle[0] + 0.4, middle[1] + 0.4], [middle[0] + 1, middle[1] + 1]]))
+  await asked
+  const [x, y] = await pose()
+  assert.ok(Math.hypot(x - middle[0] - 1, y - middle[1] - 1) < 0.05)
+  assert.ok(nearest((await same()).way, [x, y]) < 0.05, 'it is driven through there')
+  // Moved.
+  await edited(page, () => drag(page, [[x, y], [x - 0.3, y + 0.6]]))
+  const moved = await pose()
+  assert.ok(Math.hypot(moved[0] - x + 0.3, moved[1] - y - 0.6) < 0.05)
+  assert.ok(nearest((await same()).way, moved) < 0.05)
+  // Turned by its arrow.
+  const grip = await page.evaluate(() => 38 / window.strandline.stage.camera.scale)
+  const tip = (by) => [moved[0] + grip * Math.cos(moved[2] + by), moved[1] + grip * Math.sin(moved[2] + by)]
+  await edited(page, () => drag(page, [tip(0), tip(0.3), tip(0.6)]))
+  const turned = await pose()
+  assert.ok(Math.abs(turned[2] - moved[2] - 0.6) < 0.1, `turned by ${turned[2] - moved[2]}`)
+  if (pictures) await page.screenshot({ path: join(pictures, 'editor-shape.png') })
+  await edited(page, () => page.keyboard.press('Delete'))
+  assert.equal((await edits()).filter((e) => e.edit === 'through').length, 0)
+})
+
+test('points too near to each other for the robot are said to be', async () => {
+  const longest = (await trips()).reduce((a, b) => (a.way.length > b.way.length ? a : b))
+  const middle = longest.way[longest.way.length >> 1]
+  await page.keyboard.press('h')
+  await edited(page, () => drag(page, [middle, [middle[0] + 0.5, middle[1] + 0.5]]))
+  const [x, y, heading] = (await edits()).find((e) => e.edit === 'through').poses[0]
+  // Another point, from further along to right beside the first.
+  const { way } = (await trips()).find((t) => t.from === longest.from && t.to === longest.to)
+  const here = way.findIndex((p) => Math.hypot(p[0] - x, p[1] - y) < 0.05)
+  const further = way.find((p, i) => i > here && Math.hypot(p[0] - x, p[1] - y) > 0.5)
+  const beside = await at(page, x - 0.25 * Math.sin(heading), y + 0.25 * Math.cos(heading))
+  const p = await at(page, ...further)
+  await page.mouse.move(p.x, p.y)
+  await page.mouse.down()
+  await page.mouse.move(beside.x, beside.y, { steps: 8 })
+  await page.waitForFunction(() => /go round in a loop/.test(window.strandline.view.now.hint))
+  if (pictures) await page.screenshot({ path: join(pictures, 'editor-tight.png') })
+  await page.keyboard.press('Escape')
+  await page.mouse.up()
+  assert.equal((await edits()).find((e) => e.edit === 'through').poses.length, 1, 'Escape leaves it as it was')
+})
+
 test('start is where the drive begins', async () => {
   await page.keyboard.press('s')
   const now = await edited(page, () => click(page, 12.5, 2))
@@ -75,6 +147,17 @@ test('start is where the drive begins', async () => {
     return Math.hypot(samples.rakeX[0] - 12.5, samples.rakeY[0] - 2)
   })
   assert.ok(first < 3, `begins ${first} m away`)
+})
+
+test('end is where the drive ends', async () => {
+  await page.keyboard.press('l')
+  const now = await edited(page, () => click(page, 2, 2))
+  assert.equal(now.settings['tour.has_end'], 'on')
+  const last = await page.evaluate(() => {
+    const { samples } = window.strandline.session.now
+    return Math.hypot(samples.rakeX[samples.count - 1] - 2, samples.rakeY[samples.count - 1] - 2)
+  })
+  assert.ok(last < 3, `ends ${last} m away`)
 })
 
 test('entry is where a closed line is entered', async () => {

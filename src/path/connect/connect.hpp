@@ -44,6 +44,10 @@ Connection connection(const CurvatureState& from, const CurvatureState& to, cons
 Outcome<Connection> connection(const CurvatureState& from, const std::vector<Pose>& through,
                                const CurvatureState& to, const Options& options);
 
+/// A connection between the same states, with the same turns on the spot, led through poses. Error: as above.
+Outcome<Connection> led_through(const Connection& plain, const std::vector<Pose>& poses,
+                                const Options& options);
+
 CurveLimits limits_of(const Robot& robot);
 /// Integral of the curvature's square, 1/m.
 double bending(const Curve& curve);

@@ -90,4 +90,16 @@ Outcome<Connection> connection(const CurvatureState& from, const std::vector<Pos
     return whole;
 }
 
+Outcome<Connection> led_through(const Connection& plain, const std::vector<Pose>& poses,
+                                const Options& options) {
+    const std::vector<Clothoid>& pieces = plain.curve.pieces;
+    const CurvatureState from{plain.curve.start, pieces.empty() ? 0 : pieces.front().curvature};
+    const CurvatureState to{end_pose(plain.curve), pieces.empty() ? 0 : pieces.back().end_curvature()};
+    Outcome<Connection> led = connection(from, poses, to, options);
+    if (!led) return led;
+    led->turn_before = plain.turn_before;
+    led->turn_after = plain.turn_after;
+    return led;
+}
+
 }  // namespace strandline::connect

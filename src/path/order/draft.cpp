@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "path/order/chain.hpp"
+#include "path/order/shape.hpp"
 
 namespace strandline::order {
 namespace {
@@ -40,6 +41,7 @@ class Drafter {
                     std::vector<char>(job.groups.size(), 0)} {}
 
     Draft make(const Progress& progress) {
+        answer_.unshaped.assign(job_.shapes.size(), "the two are not driven one after the other");
         const std::vector<std::vector<Link>> chains = chained(links());
         std::optional<CurvatureState> from;
         const Link* last = nullptr;
@@ -55,6 +57,7 @@ class Drafter {
             for (const Link& link : chains[k])
                 if (link.last) finish(goings_[link.place].step.element);
         }
+        if (job_.end && from) cost_ += distance(from->pose.at, *job_.end);
         for (const Going& going : goings_)
             if (going.variant >= 0)
                 cost_ += job_.groups[static_cast<std::size_t>(going.step.element)]
@@ -125,6 +128,7 @@ class Drafter {
         } else {
             driven.joint = connect::connection(from, to, options_.connect);
         }
+        shape(driven, goings_[last.place].step.element, goings_[next.place].step.element);
         const connect::Connection& joint = driven.joint;
         if (last.place != next.place) cost_ += driven.cost;
         if (driven.metres > 0 || driven.crossings > 0)
@@ -146,6 +150,23 @@ class Drafter {
         append_pivot(answer_.legs, end_pose(joint.curve), joint.turn_after);
         answer_.connections.push_back(
             {before, after, joint.turn_before, joint.turn_after, joint.curve, std::move(driven.through)});
+    }
+
+    /// A person's wish goes before what is shorter or spoils less; what it spoils is told.
+    void shape(Driven& driven, int a, int b) {
+        auto led = shaped(driven.joint, a, b, job_, options_.connect, answer_.unshaped);
+        if (!led) return;
+        driven.cost += length(led->curve) - length(driven.joint.curve);
+        driven.joint = std::move(*led);
+        driven.through.clear();
+        driven.metres = 0;
+        driven.crossings = 0;
+        if (!search_ || !options_.avoid.on) return;
+        if (finished_.any_area && !finished_.ground.clear(driven.joint.curve))
+            driven.metres = finished_.ground.blemish(driven.joint.curve);
+        for (const Touch& touch : search_->pairs.touched(driven.joint.curve))
+            if (finished_.groups[static_cast<std::size_t>(touch.group)] != 0)
+                driven.crossings += touch.crossings;
     }
 
     void take(drive::Drive& driven) {

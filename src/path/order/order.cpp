@@ -38,6 +38,10 @@ int tour_vertex(const Group& group, int node) {
 tour::Problem problem_of(const Job& job) {
     tour::Problem problem;
     problem.start = job.start;
+    if (job.end) {
+        problem.end = tour::End::at_point;
+        problem.end_point = *job.end;
+    }
     problem.before = job.before;
     problem.groups = job.batches;
     problem.keep_group_order = true;

@@ -38,6 +38,12 @@ const std::vector<Stroke>& strokes_of(const Group& group, int variant);
 struct Tie {
     int a = 0, node_a = 0, b = 0, node_b = 0;
 };
+/// What is driven from group a to group b is led through these poses of the robot; from b to a through the
+/// same backwards.
+struct Shape {
+    int a = 0, b = 0;
+    std::vector<Pose> through;
+};
 struct Job {
     std::vector<Group> groups;
     std::vector<std::pair<int, int>> before;  ///< first group is finished before the second begins
@@ -45,6 +51,8 @@ struct Job {
     std::optional<Point> start;  ///< the drive begins near here
     /// Groups drawn without others between, in this order; all of them, or none.
     std::vector<std::vector<int>> batches = {};
+    std::optional<Point> end = {};  ///< the drive ends near here
+    std::vector<Shape> shapes = {};
 };
 /// What is done about driving over what is finished: areas are hard, lines cost something.
 struct Avoid {
@@ -89,6 +97,7 @@ struct Ordered {
     double dubins = 0;    ///< m, robot pose to robot pose where strokes are not joined directly
     int direct = 0;       ///< gaps joined directly
     int exact = 0, rounded = 0, loops = 0, pivots = 0;
+    std::vector<std::string> unshaped;  ///< by shape of the job: why it does not hold; "" where it does
     int fallbacks = 0;  ///< connections whose style breaks a limit: they are bounded, each with a warning
     std::vector<drive::Span> undrivable;
     tour::Tour tour;

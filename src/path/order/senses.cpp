@@ -36,6 +36,8 @@ std::vector<Going> with_driven_senses(const Job& job, const std::vector<tour::St
             }
         best = std::move(next);
     }
+    if (job.end)
+        for (std::size_t i = 0; i < best.size(); ++i) best[i] += distance(ways.back()[i].end.at, *job.end);
     std::size_t at = static_cast<std::size_t>(std::ranges::min_element(best) - best.begin());
     std::vector<Going> chosen(steps.size());
     for (std::size_t k = ways.size(); k-- > 0;) {

@@ -94,19 +94,26 @@ class Annealer {
         return pairs_.all()[static_cast<std::size_t>(row_[static_cast<std::size_t>(k)])];
     }
 
+    /// From where the drive is to begin, and to where it is to end.
+    double to_ends(int k) const {
+        double sum = 0;
+        if (k == 0 && job_.start) sum += distance(*job_.start, candidate_at(k).start.at);
+        if (k == size_ - 1 && job_.end) sum += distance(candidate_at(k).end.at, *job_.end);
+        return sum;
+    }
     /// What it costs to come to place k and to be there.
     double leg(int k) {
         ++work_;
         const Candidate& here = candidate_at(k);
-        if (k == 0) return here.longer + (job_.start ? distance(*job_.start, here.start.at) : 0);
+        if (k == 0) return here.longer + to_ends(k);
         const auto& passages =
             pairs_.passages(row_[static_cast<std::size_t>(k - 1)], row_[static_cast<std::size_t>(k)]);
-        return here.longer + cheapest(passages, place_, k - 1);
+        return here.longer + to_ends(k) + cheapest(passages, place_, k - 1);
     }
     double least_leg(int k) {
         const Candidate& here = candidate_at(k);
-        if (k == 0) return here.longer + (job_.start ? distance(*job_.start, here.start.at) : 0);
-        return here.longer +
+        if (k == 0) return here.longer + to_ends(k);
+        return here.longer + to_ends(k) +
                pairs_.shortest(row_[static_cast<std::size_t>(k - 1)], row_[static_cast<std::size_t>(k)]);
     }
 
@@ -317,6 +324,8 @@ double cost_of(const Row& row, const Job& job, Pairs& pairs) {
         else if (job.start)
             sum += distance(*job.start, here.start.at);
     }
+    if (job.end && !row.empty())
+        sum += distance(pairs.all()[static_cast<std::size_t>(row.back())].end.at, *job.end);
     return sum;
 }
 

@@ -75,8 +75,8 @@ struct Options {
         bool operator==(const FillArea&) const = default;
     } fill;
     struct TourSearch {  // "tour.*"
-        bool inner_first = true, has_start = false;
-        double start_x = 0, start_y = 0;
+        bool inner_first = true, has_start = false, has_end = false;
+        double start_x = 0, start_y = 0, end_x = 0, end_y = 0;
         std::string method = "best";  // best | exact | nearest | file
         std::string cost = "driven";  // driven | straight
         bool grouped = false;
@@ -181,7 +181,14 @@ struct DrawEdit {
     double smooth = 0;  ///< metres: as smooth curves within this; 0: as they are
     bool operator==(const DrawEdit&) const = default;
 };
-using Edit = std::variant<LinkEdit, EntryEdit, DirectionEdit, HintEdit, OrderEdit, DrawEdit>;
+/// What is driven from one element to the next is led through these poses of the robot's turning point, in
+/// this order; through the same backwards where the second element comes first.
+struct ThroughEdit {
+    std::string from, to;
+    std::vector<Pose> poses;
+    bool operator==(const ThroughEdit&) const = default;
+};
+using Edit = std::variant<LinkEdit, EntryEdit, DirectionEdit, HintEdit, OrderEdit, DrawEdit, ThroughEdit>;
 
 // ---- the plan
 

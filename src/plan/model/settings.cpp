@@ -424,6 +424,30 @@ std::vector<Setting> make_table() {
          {},
          "",
          [](Options& o) -> Field { return &o.tour.has_start; }},
+        {"tour.end_x",
+         "end point",
+         Kind::length,
+         -far,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.tour.end_x; }},
+        {"tour.end_y",
+         "end point",
+         Kind::length,
+         -far,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.tour.end_y; }},
+        {"tour.has_end",
+         "end near tour.end_x, tour.end_y",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.tour.has_end; }},
         {"tour.method",
          "best: a search, and a proof where it can be had; exact: the shortest for straight gaps, or an "
          "error; "
@@ -685,6 +709,7 @@ namespace {
 void switch_on(Options& options, const std::string& key) {
     if (key == "place.x" || key == "place.y") options.place.positioned = true;
     if (key == "tour.start_x" || key == "tour.start_y") options.tour.has_start = true;
+    if (key == "tour.end_x" || key == "tour.end_y") options.tour.has_end = true;
     if (key == "fill.direction") options.fill.best_direction = false;
 }
 

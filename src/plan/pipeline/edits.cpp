@@ -165,6 +165,13 @@ std::vector<std::string> apply_edits(order::Job& job, const std::vector<Edit>& e
                     idle.push_back(fmt::format("order: \"{}\" is not in the drawing", element));
             keep_order(job, wished);
         },
+        [&](const ThroughEdit& edit) {
+            const auto a = group_named(job, edit.from), b = group_named(job, edit.to);
+            if (a && b)
+                job.shapes.push_back({*a, *b, edit.poses});
+            else
+                idle.push_back(fmt::format("through: \"{}\" is not in the drawing", a ? edit.to : edit.from));
+        },
         [](const HintEdit&) {},
         [](const DrawEdit&) {}};  // in the drawing already
     for (const Edit& edit : edits) std::visit(apply, edit);

@@ -44,9 +44,7 @@ Outcome<DrawingOptions> pipeline::drawing_options(const Options& options) {
     return o;
 }
 
-namespace {
-
-order::Options order_options(const Options& options, const Robot& robot) {
+order::Options pipeline::order_options(const Options& options, const Robot& robot) {
     order::Options o;
     o.tour.method = *tour::method_named(options.tour.method);
     o.tour.grouped = options.tour.grouped;
@@ -82,6 +80,8 @@ order::Options order_options(const Options& options, const Robot& robot) {
     o.avoid.area_cost = options.avoid.area_cost;
     return o;
 }
+
+namespace {
 
 void add(Warnings& to, const Warnings& from) { to.insert(to.end(), from.begin(), from.end()); }
 
@@ -140,9 +140,12 @@ Warnings dropped(const Drawing& drawing, const Options& options) {
     };
     say(drawing.counts.too_short, "lines", "drawing.min_length", options.drawing.min_length, " m");
     say(drawing.counts.too_small, "areas", "fill.min_area", options.fill.min_area, " m^2");
-    if (options.tour.has_start && !contains(Box{{0, 0}, {drawing.canvas.width, drawing.canvas.height}},
-                                            {options.tour.start_x, options.tour.start_y}))
+    const Box canvas{{0, 0}, {drawing.canvas.width, drawing.canvas.height}};
+    const auto on_canvas = [&](double x, double y) { return contains(canvas, {x, y}); };
+    if (options.tour.has_start && !on_canvas(options.tour.start_x, options.tour.start_y))
         warnings.push_back({"tour.start_x, tour.start_y", "the start lies outside the canvas"});
+    if (options.tour.has_end && !on_canvas(options.tour.end_x, options.tour.end_y))
+        warnings.push_back({"tour.end_x, tour.end_y", "the end lies outside the canvas"});
     return warnings;
 }
 
@@ -235,6 +238,7 @@ Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::st
     job.groups = std::move(strokes.groups);
     job.start = drawing.start;
     if (options.tour.has_start) job.start = Point{options.tour.start_x, options.tour.start_y};
+    if (options.tour.has_end) job.end = Point{options.tour.end_x, options.tour.end_y};
     job.batches = pipeline::batches_of(job.groups, drawing);
     if (options.tour.inner_first) job.before = pipeline::inner_before_outer(job.groups, drawing);
 
@@ -249,8 +253,13 @@ Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::st
     plan.idle_edits = std::move(idle);
     for (std::string& gone : pipeline::apply_edits(job, edits)) plan.idle_edits.push_back(std::move(gone));
     pipeline::keep_within_batches(job);
-    auto ordered = order::ordered(job, robot, order_options(options, robot), progress);
+    auto ordered = order::ordered(job, robot, pipeline::order_options(options, robot), progress);
     if (!ordered) return tl::unexpected(ordered.error());
+    for (std::size_t i = 0; i < job.shapes.size(); ++i)
+        if (const order::Shape& shape = job.shapes[i]; !ordered->unshaped[i].empty())
+            plan.idle_edits.push_back(
+                "through: from \"" + job.groups[static_cast<std::size_t>(shape.a)].name + "\" to \"" +
+                job.groups[static_cast<std::size_t>(shape.b)].name + "\": " + ordered->unshaped[i]);
 
     plan.samples =
         trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});

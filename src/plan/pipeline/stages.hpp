@@ -12,6 +12,7 @@ struct Read {
 };
 
 Outcome<DrawingOptions> drawing_options(const Options& options);
+order::Options order_options(const Options& options, const Robot& robot);
 /// Whether lines are drawn by hand.
 bool by_hand(const std::vector<Edit>& edits);
 /// The drawing before any edit. A file without shapes gives a bare one where lines are drawn by hand.

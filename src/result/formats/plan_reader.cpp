@@ -7,62 +7,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "result/formats/json_place.hpp"
 #include "result/formats/plan_schema.hpp"
 
 namespace strandline::formats {
 namespace {
-
-using Json = nlohmann::json;
-
-/// A value of the file and the way to it, from which the JSON pointer (RFC 6901) is put together when
-/// something is wrong there.
-struct At {
-    const Json& value;
-    const At* parent = nullptr;
-    std::string_view key = {};
-    std::size_t index = 0;
-};
-
-std::string pointer(const At& at) {
-    if (!at.parent) return {};
-    return pointer(*at.parent) + "/" + (at.key.empty() ? std::to_string(at.index) : std::string(at.key));
-}
-
-/// Thrown and caught inside this file only: a reader of sixty nested fields stays readable that way.
-struct Refused {
-    std::string pointer, reason;
-};
-[[noreturn]] void refuse(const At& at, std::string reason) { throw Refused{pointer(at), std::move(reason)}; }
-
-std::string kind_of(const Json& value) {
-    if (value.is_null()) return "null";
-    if (value.is_number()) return value.is_number_integer() ? "a whole number" : "a number";
-    if (value.is_object()) return "an object";
-    if (value.is_array()) return "an array";
-    return value.is_string() ? "a text" : "true or false";
-}
-[[noreturn]] void mistyped(const At& at, const char* wanted) {
-    refuse(at, fmt::format("{} where {} belongs", kind_of(at.value), wanted));
-}
-
-const Json::array_t& array_at(const At& at) {
-    if (!at.value.is_array()) mistyped(at, "an array");
-    return at.value.get_ref<const Json::array_t&>();
-}
-/// An array that holds whole groups of `group` values.
-const Json::array_t& groups_at(const At& at, std::size_t group) {
-    const auto& values = array_at(at);
-    if (values.size() % group != 0)
-        refuse(at, fmt::format("holds {} values, not a multiple of {}", values.size(), group));
-    return values;
-}
-At child(const At& at, std::string_view key) {
-    if (!at.value.is_object()) mistyped(at, "an object");
-    const auto found = at.value.find(key);
-    if (found == at.value.end()) refuse(at, fmt::format("\"{}\" is missing", key));
-    return {*found, &at, key};
-}
-At item(const At& at, std::size_t index) { return {at.value[index], &at, {}, index}; }
 
 /// Keys that files of this version did not always have: absent, they keep their defaults.
 bool came_later(std::string_view key) {
@@ -168,42 +117,7 @@ class PlanReader {
     }
     void get(const At& at, std::vector<Curve>& curves) { each(at, curves); }
 
-    void get(const At& at, Path& path) {
-        const auto& values = array_at(at);
-        std::size_t i = 0;
-        const auto next_number = [&] {
-            if (i >= values.size()) refuse(at, "the path ends inside a segment");
-            return number(item(at, i++));
-        };
-        const auto next_point = [&] {
-            const double x = next_number();
-            return Point{x, next_number()};
-        };
-        while (i < values.size()) {
-            const At place = item(at, i);
-            std::string letter;
-            get(place, letter);
-            if ((letter == "M") != (i == 0)) refuse(place, "a path begins with the one M that it has");
-            ++i;
-            if (letter == "M") {
-                path.start = next_point();
-            } else if (letter == "L") {
-                path.segments.push_back(LineSegment{next_point()});
-            } else if (letter == "C") {
-                const Point control1 = next_point(), control2 = next_point();
-                path.segments.push_back(CubicSegment{control1, control2, next_point()});
-            } else if (letter == "A") {
-                const Point center = next_point(), u = next_point(), v = next_point();
-                const double start = next_number(), sweep = next_number();
-                path.segments.push_back(ArcSegment{center, u, v, start, sweep, next_point()});
-            } else if (letter == "Z" && i == values.size()) {
-                path.closed = true;
-            } else {
-                refuse(place, fmt::format("\"{}\" is no segment of a path", letter));
-            }
-        }
-        if (values.empty()) refuse(at, "a path begins with the one M that it has");
-    }
+    void get(const At& at, Path& path) { path = path_at(at); }
     void get(const At& at, std::variant<LineElement, RegionElement>& what) {
         if (at.value.is_object() && at.value.size() == 1 && at.value.contains("line"))
             get(child(at, "line"), what.emplace<LineElement>());
@@ -257,9 +171,12 @@ class PlanReader {
             no_others(at, {"edit", "elements"});
         } else if (kind == "draw") {
             get(at, edit.emplace<DrawEdit>());
+        } else if (kind == "through") {
+            get(at, edit.emplace<ThroughEdit>());
         } else {
-            refuse(child(at, "edit"),
-                   fmt::format("\"{}\" is no edit: link, entry, direction, hint, order or draw", kind));
+            refuse(
+                child(at, "edit"),
+                fmt::format("\"{}\" is no edit: link, entry, direction, hint, order, draw or through", kind));
         }
     }
     void get(const At& at, DrawEdit& draw) {
@@ -275,6 +192,17 @@ class PlanReader {
             const At path = child(at, "paths");
             if (draw.paths[i].segments.empty()) refuse(item(path, i), "a path without a segment");
         }
+    }
+    void get(const At& at, ThroughEdit& through) {
+        get(child(at, "from"), through.from);
+        get(child(at, "to"), through.to);
+        each(child(at, "poses"), through.poses);
+        no_others(at, {"edit", "from", "to", "poses"});
+        if (through.poses.empty()) refuse(child(at, "poses"), "no pose to be led through");
+    }
+    void get(const At& at, Pose& pose) {
+        const auto n = exactly(at, 3);
+        pose = {{n[0], n[1]}, n[2]};
     }
     void get(const At& at, NodeName& node) {
         if (array_at(at).size() != 2) refuse(at, "a node is [element, number]");
@@ -320,30 +248,6 @@ class PlanReader {
     }
 
   private:
-    double number(const At& at) {
-        if (!at.value.is_number()) mistyped(at, "a finite number");
-        return at.value.get<double>();  // finite: the parser refuses 1e999
-    }
-    long long whole(const At& at, long long low, long long high) {
-        const Json& value = at.value;
-        if (!value.is_number_integer()) mistyped(at, "a whole number");
-        const bool huge = value.is_number_unsigned() &&
-                          value.get<unsigned long long>() > static_cast<unsigned long long>(high);
-        if (huge || value.get<long long>() < low || value.get<long long>() > high)
-            refuse(at, fmt::format("{} is out of range", value.dump()));
-        return value.get<long long>();
-    }
-    std::vector<double> numbers(const At& at) {
-        const auto& values = array_at(at);
-        std::vector<double> list(values.size());
-        for (std::size_t i = 0; i < list.size(); ++i) list[i] = number(item(at, i));
-        return list;
-    }
-    std::vector<double> exactly(const At& at, std::size_t count) {
-        auto list = numbers(at);
-        if (list.size() != count) refuse(at, fmt::format("{} numbers where {} belong", list.size(), count));
-        return list;
-    }
     template <class T>
     void each(const At& at, std::vector<T>& values) {
         values.resize(array_at(at).size());
@@ -362,13 +266,6 @@ class PlanReader {
         if (values.size() != rows_)
             refuse(at, fmt::format("its runs add up to {} samples of {}", values.size(), rows_));
     }
-    static void no_others(const At& at, const std::vector<std::string_view>& known) {
-        if (at.value.size() == known.size()) return;
-        for (const auto& [key, value] : at.value.items())
-            if (std::ranges::find(known, key) == known.end())
-                refuse(at, fmt::format("\"{}\" is no key of it", key));
-    }
-
     std::size_t rows_ = 0;
 };
 

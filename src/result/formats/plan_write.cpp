@@ -202,6 +202,24 @@ class PlanWriter {
         add(out_, "}");
     }
 
+    void put(const ThroughEdit& edit) {
+        add(out_, "{\"edit\":\"through\",\"from\":");
+        put(edit.from);
+        add(out_, ",\"to\":");
+        put(edit.to);
+        add(out_, ",\"poses\":");
+        list(edit.poses, "", [&](const Pose& pose) {
+            add(out_, "[");
+            put(pose.at.x);
+            add(out_, ",");
+            put(pose.at.y);
+            add(out_, ",");
+            put(pose.heading);
+            add(out_, "]");
+        });
+        add(out_, "}");
+    }
+
     void put(const std::vector<Sample>& samples) {
         const SampleColumns columns = columns_of(samples);
         const char* before = "{\n";

@@ -73,6 +73,8 @@ export const api = {
   drive: (id: string) => get<Drive>(`${project(id)}/plan/drive`),
   report: (id: string) => get<Report>(`${project(id)}/plan/report`),
   samples: async (id: string) => (await ask(`${project(id)}/plan/samples`)).arrayBuffer(),
+  connection: (id: string, plan: number, connection: number, through: [number, number, number][]) =>
+    post<Schemas['Led']>(`${project(id)}/connection`, { plan, connection, through }),
   lettering: (wish: Schemas['LetteringWish']) => post<Lettered>('lettering', wish),
   exportUrl: (id: string, format: string) => `/api/v1/${project(id)}/exports/${format}`,
   fileUrl: (id: string) => `/api/v1/${project(id)}/file`,

@@ -17,6 +17,8 @@ function described(e: Edit): string {
       return e.name === 'ink' ? `${e.element} erased` : `${e.element}: ${e.name.replaceAll('-', ' ')} ${e.value}`
     case 'order':
       return `${e.elements.length} elements in a given order`
+    case 'through':
+      return `${e.from} to ${e.to} through ${e.poses.length} point${e.poses.length > 1 ? 's' : ''}`
     case 'draw':
       return `${e.element}: ${e.paths.length} line${e.paths.length > 1 ? 's' : ''} by hand`
   }

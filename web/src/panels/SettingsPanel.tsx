@@ -105,11 +105,28 @@ function Field({ field }: { field: FieldShape }) {
   )
 }
 
+/** A robot by its name, or by the text of its profile: whole, without what was set of the one before. */
+function takeRobot(name: string, profile: string): void {
+  const { set } = session.now.standing!
+  const fields = set.filter((key) => key.startsWith('robot.') && key !== 'robot.profile')
+  void edit(`robot ${name}`, [
+    { set: 'robot', value: profile ? '' : name },
+    { set: 'robot.profile', value: profile },
+    ...fields.map((key) => ({ set: key, value: '' })),
+  ])
+}
+async function readProfile(input: HTMLInputElement): Promise<void> {
+  const file = input.files?.[0]
+  if (file) takeRobot(file.name, await file.text())
+  input.value = ''
+}
+
 export function SettingsPanel() {
   const about = useStore(session, (s) => s.about)
   const standing = useStore(session, (s) => s.standing)
   const wanted = useStore(view, (v) => v.wantedSetting)
   const [search, setSearch] = useState('')
+  const profileFile = useRef<HTMLInputElement>(null)
   if (!about || !standing) return null
   const isSet = new Set(standing.set)
   const fieldOf = (s: Setting): FieldShape => ({
@@ -152,15 +169,23 @@ export function SettingsPanel() {
       </details>
     )
   }
+  const own = isSet.has('robot.profile')
   const profile = (
     <div class="setting">
       <div class="line">
         <label for="set-robot">profile</label>
-        <select id="set-robot" value={standing.robot_name} onChange={(e) => edit(`robot ${e.currentTarget.value}`, [{ set: 'robot', value: e.currentTarget.value }])}>
+        <select id="set-robot" value={own ? '' : standing.robot_name} onChange={(e) => takeRobot(e.currentTarget.value, '')}>
+          {own && <option value="">{standing.robot_name}</option>}
           {about.robots.map((r) => (
             <option value={r.name}>{r.name}</option>
           ))}
         </select>
+      </div>
+      <div class="help">
+        <button class="link" onClick={() => profileFile.current?.click()}>
+          A profile of your own…
+        </button>
+        <input ref={profileFile} type="file" hidden accept=".toml" aria-label="Robot profile" onChange={(e) => void readProfile(e.currentTarget)} />
       </div>
     </div>
   )

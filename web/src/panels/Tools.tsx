@@ -1,4 +1,6 @@
-import { session } from '../session'
+import { posesOf, shaped } from '../plan/shapes'
+import type { Pose } from '../plan/shapes'
+import { edit, session } from '../session'
 import { useStore } from '../store'
 import { toolList } from '../tools/tools'
 import { view } from '../view'
@@ -49,6 +51,7 @@ export function ToolOptions() {
         </label>
       </div>
     )
+  if (tool === 'shape') return <ShapeOptions />
   const pinField = (
     <label>
       Pins
@@ -104,6 +107,28 @@ export function ToolOptions() {
       </div>
     )
   return null
+}
+
+/** Buttons for hands without a keyboard. */
+function ShapeOptions() {
+  const shape = useStore(view, (v) => v.shape)
+  const edits = useStore(session, (s) => s.standing?.edits ?? [])
+  const poses = shape ? posesOf(edits, shape.from, shape.to) : []
+  if (!shape || poses.length === 0) return null
+  const lead = (what: string, through: Pose[]) => {
+    view.set({ shape: { ...shape, pose: -1 } })
+    void edit(`${what} ${shape.from} to ${shape.to}`, [shaped(shape.from, shape.to, through)])
+  }
+  return (
+    <div class="options">
+      <button class="secondary" disabled={shape.pose < 0} onClick={() => lead('take a point out of', poses.filter((_, i) => i !== shape.pose))}>
+        Take the point out
+      </button>
+      <button class="secondary" onClick={() => lead('leave to the planner', [])}>
+        Leave it to the planner
+      </button>
+    </div>
+  )
 }
 
 export function HintLine() {

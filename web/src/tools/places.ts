@@ -5,12 +5,12 @@ import type { Place } from '../plan/nodes'
 import { edit, session } from '../session'
 import { metres, Tool } from './tool'
 
-/** Where the drive begins. */
-export class StartTool extends Tool {
-  readonly name = 'start'
+/** A place that the drive begins or ends near. */
+abstract class DriveEndTool extends Tool {
+  abstract override readonly name: 'start' | 'end'
   private at: Stroke | null = null
   hint(): string {
-    return 'Click where the drive is to begin: the nearest suitable node is taken.'
+    return `Click where the drive is to ${this.name === 'start' ? 'begin' : 'end'}: the nearest suitable node is taken.`
   }
   hover(at: Stroke): void {
     this.at = at
@@ -18,10 +18,10 @@ export class StartTool extends Tool {
   }
   up(at: Stroke): void {
     const { x, y } = at.world
-    void edit(`start near ${x.toFixed(2)}, ${y.toFixed(2)}`, [
-      { set: 'tour.has_start', value: 'on' },
-      { set: 'tour.start_x', value: metres(x) },
-      { set: 'tour.start_y', value: metres(y) },
+    void edit(`${this.name} near ${x.toFixed(2)}, ${y.toFixed(2)}`, [
+      { set: `tour.has_${this.name}`, value: 'on' },
+      { set: `tour.${this.name}_x`, value: metres(x) },
+      { set: `tour.${this.name}_y`, value: metres(y) },
     ])
   }
   reset(): void {
@@ -29,8 +29,15 @@ export class StartTool extends Tool {
     this.say()
   }
   paint(ctx: CanvasRenderingContext2D): void {
-    if (this.at) this.dot(ctx, this.at.world, 9, palette.start)
+    if (this.at) this.dot(ctx, this.at.world, 9, palette[this.name])
   }
+}
+
+export class StartTool extends DriveEndTool {
+  readonly name = 'start'
+}
+export class EndTool extends DriveEndTool {
+  readonly name = 'end'
 }
 
 /** Where a closed line is entered, and an open one begun. */

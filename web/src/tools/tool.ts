@@ -20,6 +20,10 @@ export abstract class Tool implements Hand {
   cancel(): void {
     this.reset()
   }
+  /** Takes out what the tool has chosen. False: it has chosen nothing. */
+  erase(): boolean {
+    return false
+  }
   /** Back to the first state. */
   reset(): void {}
   paint(_ctx: CanvasRenderingContext2D): void {}

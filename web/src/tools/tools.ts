@@ -6,15 +6,18 @@ import type { ToolName } from '../view'
 import { view } from '../view'
 import { CutTool, FillTool } from './fill'
 import { DrawTool, TextTool } from './draw'
-import { EntryTool, StartTool } from './places'
+import { EndTool, EntryTool, StartTool } from './places'
 import { eraseElement, EraseTool, SelectTool } from './select'
 import { LinkTool } from './link'
+import { ShapeTool } from './shape'
 import type { Tool } from './tool'
 
 export const toolList: { name: ToolName; label: string; key: string }[] = [
   { name: 'select', label: 'Select', key: 'V' },
   { name: 'link', label: 'Connect', key: 'C' },
+  { name: 'shape', label: 'Shape', key: 'H' },
   { name: 'start', label: 'Start', key: 'S' },
+  { name: 'end', label: 'End', key: 'L' },
   { name: 'entry', label: 'Entry', key: 'N' },
   { name: 'fill', label: 'Fill', key: 'F' },
   { name: 'cut', label: 'Cut', key: 'X' },
@@ -27,7 +30,8 @@ export const toolList: { name: ToolName; label: string; key: string }[] = [
 export class Toolbox implements Hand {
   private readonly tools: Record<ToolName, Tool>
   constructor(private readonly stage: Stage) {
-    const all = [SelectTool, LinkTool, StartTool, EntryTool, FillTool, CutTool, DrawTool, TextTool, EraseTool].map((T) => new T(stage))
+    const kinds = [SelectTool, LinkTool, ShapeTool, StartTool, EndTool, EntryTool, FillTool, CutTool, DrawTool, TextTool, EraseTool]
+    const all = kinds.map((T) => new T(stage))
     this.tools = Object.fromEntries(all.map((tool) => [tool.name, tool])) as Record<ToolName, Tool>
     stage.overlay = (ctx) => this.tool.paint(ctx)
     view.listen((now, before) => {
@@ -71,7 +75,9 @@ export class Toolbox implements Hand {
       void (key === 'y' || event.shiftKey ? redo() : undo())
     }
     if (command || event.altKey) return
-    if ((key === 'delete' || key === 'backspace') && view.now.selected) void eraseElement(view.now.selected)
+    if (key === 'delete' || key === 'backspace') {
+      if (!this.tool.erase() && view.now.selected) void eraseElement(view.now.selected)
+    }
     if (key === '0') this.stage.fit()
     if (key === 'g') view.set({ grid: !view.now.grid })
     if (key === 'r') view.set({ look: view.now.look === 'outline' ? 'realistic' : 'outline' })
