@@ -97,7 +97,8 @@ TEST(House, CheckNeverReachesTheRoomsThatPlanned) {
     for (std::size_t pass = 0; pass < rooms.size(); ++pass)
         for (const std::string& name : std::set(reached))
             for (const std::string& other : rooms[name].may_include) reached.insert(other);
-    for (const char* planner : {"fill", "drive", "connect", "route", "tour", "order", "trajectory", "pipeline"})
+    for (const char* planner :
+         {"fill", "drive", "connect", "route", "tour", "order", "trajectory", "pipeline"})
         EXPECT_FALSE(reached.contains(planner)) << planner;
 }
 

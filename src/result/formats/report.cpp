@@ -60,7 +60,8 @@ std::string write_report(const check::Report& report) {
     all.flag("sound", report.sound());
     all("drawn", report.drawn)("up_driven", report.up_driven)("time", report.time);
     all("coverage", report.coverage)("overdraw", report.overdraw)("spill", report.spill);
-    all("crossings", report.crossings)("driven_over", report.driven_over)("over_finished", report.over_finished);
+    all("crossings", report.crossings)("driven_over", report.driven_over)("over_finished",
+                                                                          report.over_finished);
     all("max_curvature_up", report.max_curvature_up)("max_sharpness_up", report.max_sharpness_up);
     all("worst_offset", report.worst_offset);
     all.list("faults", report.faults, [&](const check::Fault& fault) {
