@@ -6,7 +6,7 @@ seeded ones made here, so that nothing is tuned to the first. Without the judges
 this file. Sections: drawings, clipart, svg, tour, connect, fill, fill-vehicles, convert, and
 fill-pictures, which writes docs/fill. Needs python3; the judges need numpy and shapely.
 """
-import argparse, json, math, random, statistics, subprocess, tempfile, time
+import argparse, json, math, random, statistics, subprocess, sys, tempfile, time
 from pathlib import Path
 
 import connect as connections
@@ -122,6 +122,8 @@ def svg(program, shared, folder):
 
 OPTIMA = {"asset_lion_example": 1104.838, "asset_shark_test": 636.189, "asset_asl_logo": 858.085, "asset_asl_font": 352.550,
           "asset_flower_example": 60.701, "asset_maleficient": 558.238}
+TIMED = [("asset_floral_patterns", 2942.2, 1), ("seg_100", 5720.5, 1), ("mix_200", 10_530, 1), ("seg_1k", 52_015, 1), ("hershey_scripts_1k", 8457, 1),
+         ("hershey_futural_400", 6122, 1), ("mix_2k", 97_050, 1), ("seg_10k", 502_000, 1), ("mix_2k", 96_950, 10), ("seg_10k", 499_300, 10)]
 BEST_KNOWN = {"asset_floral_patterns": 2942.128, "seg_100": 5720.5, "mix_200": 10524, "seg_1k": 51963, "hershey_scripts_1k": 8448.6,
               "hershey_futural_400": 6115.8, "mix_2k": 96855, "seg_10k": 498353}
 
@@ -151,6 +153,18 @@ def tour_row(program, path, folder, best, seeds=(1, 2, 3)):
     return [path.stem, len(instance["elements"]), f"{min(lengths):.3f}", f"{max(lengths):.3f}", best or "", gap, f"{statistics.median(cpu):.2f}"]
 
 
+def timed_tour_row(program, path, folder, goal, limit, seeds=(1, 2, 3, 4, 5)):
+    instance = json.loads(path.read_text())
+    lengths, memory = [], 0
+    for seed in seeds:
+        code, _, err, _, megabytes = run([program, "tour", path, "-o", folder / "tour.json", "--seed", seed, "--time-limit", f"{limit}s", "-q"])
+        assert code == 0, err
+        lengths.append(tour_length(instance, json.loads((folder / "tour.json").read_text())))
+        memory = max(memory, megabytes)
+    mean = statistics.mean(lengths)
+    return [path.stem, limit, f"{min(lengths):.2f}", f"{mean:.2f}", f"{max(lengths):.2f}", goal, sum(l <= goal for l in lengths), f"{memory:.0f}"]
+
+
 def random_instance(kind, n, seed):
     r, side, elements = random.Random(seed), 100 * math.sqrt(n), []
     for _ in range(n):
@@ -172,6 +186,15 @@ def tour(program, shared, folder):
         table("Tour: proven optima", head, small)
         print(f"\nthe six together: {sum(float(r[-1]) for r in small):.2f} CPU s")
         table("Tour: best known", head, [tour_row(program, instances / f"{name}.json", folder, best) for name, best in BEST_KNOWN.items()])
+        head_timed = ["instance", "CPU s", "best of seeds", "mean", "worst", "goal", "seeds that meet it", "MB"]
+        table("Tour: within a time", head_timed, [timed_tour_row(program, instances / f"{name}.json", folder, goal, limit) for name, goal, limit in TIMED])
+        rows = []
+        for kind, n, goal, limit in (("seg", 100_000, 5_000_000, 10), ("mix", 20_000, 972_000, 15)):
+            for seed in (101, 102):
+                path = folder / f"{kind}_{n}_{seed}.json"
+                path.write_text(subprocess.run([sys.executable, shared / "judge/tour/make_random.py", kind, str(n), str(seed)], capture_output=True, text=True, check=True).stdout)
+                rows.append(timed_tour_row(program, path, folder, goal, limit, seeds=(1,)))
+        table("Tour: large fresh ones within a time", head_timed, rows)
     rows = []
     for kind, n in (("lines", 30), ("mixed", 12), ("lines", 100), ("mixed", 200), ("lines", 1000)):
         for seed in (101, 102):
