@@ -155,14 +155,13 @@ def tour_row(program, path, folder, best, seeds=(1, 2, 3)):
 
 def timed_tour_row(program, path, folder, goal, limit, seeds=(1, 2, 3, 4, 5)):
     instance = json.loads(path.read_text())
-    lengths, memory = [], 0
+    lengths = []
     for seed in seeds:
-        code, _, err, _, megabytes = run([program, "tour", path, "-o", folder / "tour.json", "--seed", seed, "--time-limit", f"{limit}s", "-q"])
+        code, _, err, _, _ = run([program, "tour", path, "-o", folder / "tour.json", "--seed", seed, "--time-limit", f"{limit}s", "-q"])
         assert code == 0, err
         lengths.append(tour_length(instance, json.loads((folder / "tour.json").read_text())))
-        memory = max(memory, megabytes)
     mean = statistics.mean(lengths)
-    return [path.stem, limit, f"{min(lengths):.2f}", f"{mean:.2f}", f"{max(lengths):.2f}", goal, sum(l <= goal for l in lengths), f"{memory:.0f}"]
+    return [path.stem, limit, f"{min(lengths):.2f}", f"{mean:.2f}", f"{max(lengths):.2f}", goal, sum(l <= goal for l in lengths)]
 
 
 def random_instance(kind, n, seed):
@@ -186,7 +185,7 @@ def tour(program, shared, folder):
         table("Tour: proven optima", head, small)
         print(f"\nthe six together: {sum(float(r[-1]) for r in small):.2f} CPU s")
         table("Tour: best known", head, [tour_row(program, instances / f"{name}.json", folder, best) for name, best in BEST_KNOWN.items()])
-        head_timed = ["instance", "CPU s", "best of seeds", "mean", "worst", "goal", "seeds that meet it", "MB"]
+        head_timed = ["instance", "CPU s", "best of seeds", "mean", "worst", "goal", "seeds that meet it"]
         table("Tour: within a time", head_timed, [timed_tour_row(program, instances / f"{name}.json", folder, goal, limit) for name, goal, limit in TIMED])
         rows = []
         for kind, n, goal, limit in (("seg", 100_000, 5_000_000, 10), ("mix", 20_000, 972_000, 15)):
