@@ -111,15 +111,19 @@ void Ground::list_edge(std::size_t number) {
         }
 }
 
-void Ground::add(const Region& obstacle) {
-    grow_to(grown(strandline::bounds(obstacle), reach() + cell_size_));
+void Ground::add_outline(const Region& region, bool obstacle_inside) {
+    grow_to(grown(strandline::bounds(region), reach() + cell_size_));
     const auto take = [&](const Polygon& ring, bool inside) {
         const Polygon turned = without_area_on_right(ring, inside);
         add_ring(thinned_outline(turned, share(outline_tolerance)));
         append_corners(corners_, thinned_outline(turned, share(string_tolerance)));
     };
-    take(obstacle.outer, true);
-    for (const Polygon& hole : obstacle.holes) take(hole, false);
+    take(region.outer, obstacle_inside);
+    for (const Polygon& hole : region.holes) take(hole, !obstacle_inside);
+}
+
+void Ground::add(const Region& obstacle) {
+    add_outline(obstacle, true);
     obstacles_.push_back(obstacle);
     boxes_.push_back(strandline::bounds(obstacle));
     added_.push_back(grown(boxes_.back(), string_offset()));
@@ -130,14 +134,7 @@ void Ground::add(const Regions& obstacles) {
 }
 
 void Ground::add_field(const Region& field) {
-    grow_to(grown(strandline::bounds(field), reach() + cell_size_));
-    const auto take = [&](const Polygon& ring, bool inside) {
-        const Polygon turned = without_area_on_right(ring, inside);
-        add_ring(thinned_outline(turned, share(outline_tolerance)));
-        append_corners(corners_, thinned_outline(turned, share(string_tolerance)));
-    };
-    take(field.outer, false);
-    for (const Polygon& hole : field.holes) take(hole, true);
+    add_outline(field, false);
     fields_.push_back(field);
     constexpr double everywhere = std::numeric_limits<double>::infinity();
     added_.push_back({{-everywhere, -everywhere}, {everywhere, everywhere}});

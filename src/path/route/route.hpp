@@ -83,6 +83,8 @@ class Ground {
     double share(double of_radius) const { return of_radius * options_.radius; }
     double exact_within() const;
     void add_ring(const Polygon& ring);
+    /// A region's rings, with what may not be driven over inside it or all round it.
+    void add_outline(const Region& region, bool obstacle_inside);
     void add_links(int node, std::size_t first_corner, std::vector<Link>& list) const;
     void grow_to(Box box);
     void lay_cells(Box box);

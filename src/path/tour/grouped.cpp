@@ -69,13 +69,6 @@ class Groups {
         for (const Run& run : runs_) all.insert(all.end(), run.steps.begin(), run.steps.end());
         return all;
     }
-    Point entry(const Step& step) const { return problem_.elements[at(step.element)].points[at(step.entry)]; }
-    Point exit(const Step& step) const {
-        const Element& element = problem_.elements[at(step.element)];
-        if (element.closed) return entry(step);
-        return element.points[element.points.size() - 1 - at(step.entry)];
-    }
-
     /// The search's answer, if it is shorter than what there is.
     std::vector<Step> shorter(const Problem& part, const std::vector<Step>& now, std::uint64_t moves) const {
         const auto model = build_model(part);
@@ -97,7 +90,7 @@ class Groups {
         for (std::size_t k = 0; k < runs_.size(); ++k) {
             const Run& run = runs_[k];
             Element element;
-            element.points = {entry(run.steps.front()), exit(run.steps.back())};
+            element.points = {entry_of(problem_, run.steps.front()), exit_of(problem_, run.steps.back())};
             if (one_way_[at(run.group)]) element.direction = Direction::forward;
             whole.elements.push_back(element);
             now.push_back({static_cast<int>(k), 0, false});
@@ -125,16 +118,17 @@ class Groups {
         Run& run = runs_[k];
         Problem part;
         if (k > 0)
-            part.start = exit(runs_[k - 1].steps.back());
+            part.start = exit_of(problem_, runs_[k - 1].steps.back());
         else
             part.start = problem_.start;
         part.end = End::at_point;
         if (k + 1 < runs_.size())
-            part.end_point = entry(runs_[k + 1].steps.front());
+            part.end_point = entry_of(problem_, runs_[k + 1].steps.front());
         else if (problem_.end == End::at_point)
             part.end_point = problem_.end_point;
         else if (problem_.end == End::at_start && (problem_.start || runs_.size() > 1))
-            part.end_point = problem_.start ? *problem_.start : entry(runs_.front().steps.front());
+            part.end_point =
+                problem_.start ? *problem_.start : entry_of(problem_, runs_.front().steps.front());
         else
             part.end = problem_.end;
         std::vector<int> number(problem_.elements.size(), -1);

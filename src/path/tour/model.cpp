@@ -349,18 +349,23 @@ std::vector<Step> steps_of(const Model& model, const std::vector<Visit>& order) 
     return steps;
 }
 
+Point entry_of(const Problem& problem, const Step& step) {
+    return problem.elements[at(step.element)].points[at(step.entry)];
+}
+
+Point exit_of(const Problem& problem, const Step& step) {
+    const Element& e = problem.elements[at(step.element)];
+    return e.closed ? e.points[at(step.entry)] : step.entry == 0 ? e.points.back() : e.points.front();
+}
+
 double length_of(const Problem& problem, const std::vector<Step>& steps) {
     if (steps.empty()) return 0;
-    const auto entry = [&](const Step& s) { return problem.elements[at(s.element)].points[at(s.entry)]; };
-    const auto exit = [&](const Step& s) {
-        const Element& e = problem.elements[at(s.element)];
-        return e.closed ? e.points[at(s.entry)] : s.entry == 0 ? e.points.back() : e.points.front();
-    };
-    double sum = problem.start ? distance(*problem.start, entry(steps.front())) : 0;
-    for (std::size_t k = 1; k < steps.size(); ++k) sum += distance(exit(steps[k - 1]), entry(steps[k]));
-    if (problem.end == End::at_point) sum += distance(exit(steps.back()), problem.end_point);
-    if (problem.end == End::at_start)
-        sum += distance(exit(steps.back()), problem.start ? *problem.start : entry(steps.front()));
+    const Point first = entry_of(problem, steps.front()), last = exit_of(problem, steps.back());
+    double sum = problem.start ? distance(*problem.start, first) : 0;
+    for (std::size_t k = 1; k < steps.size(); ++k)
+        sum += distance(exit_of(problem, steps[k - 1]), entry_of(problem, steps[k]));
+    if (problem.end == End::at_point) sum += distance(last, problem.end_point);
+    if (problem.end == End::at_start) sum += distance(last, problem.start ? *problem.start : first);
     return sum;
 }
 

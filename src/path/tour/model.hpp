@@ -76,6 +76,9 @@ struct Visit {
 /// Whether the order keeps the rules. O(n + rules).
 bool keeps_rules(const Model& model, const std::vector<Visit>& order);
 std::vector<Step> steps_of(const Model& model, const std::vector<Visit>& order);
+/// Where a step begins and ends.
+Point entry_of(const Problem& problem, const Step& step);
+Point exit_of(const Problem& problem, const Step& step);
 /// Straight rake-up length of the steps, without any check.
 double length_of(const Problem& problem, const std::vector<Step>& steps);
 

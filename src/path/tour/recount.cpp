@@ -35,7 +35,7 @@ Outcome<void> check_step(const Problem& problem, const Step& step, const std::st
     return {};
 }
 
-int exit_of(const Problem& problem, const Step& step) {
+int exit_vertex(const Problem& problem, const Step& step) {
     const Element& element = problem.elements[at(step.element)];
     return element.closed ? step.entry : static_cast<int>(element.points.size()) - 1 - step.entry;
 }
@@ -61,7 +61,7 @@ Outcome<double> recount(const Problem& problem, const std::vector<Step>& steps) 
         const Link& link = problem.links[l];
         const int a = place[at(link.element_a)], b = place[at(link.element_b)];
         const auto holds = [&](int from, int from_vertex, int to, int to_vertex) {
-            return to == from + 1 && exit_of(problem, steps[at(from)]) == from_vertex &&
+            return to == from + 1 && exit_vertex(problem, steps[at(from)]) == from_vertex &&
                    steps[at(to)].entry == to_vertex;
         };
         if (!holds(a, link.vertex_a, b, link.vertex_b) && !holds(b, link.vertex_b, a, link.vertex_a))

@@ -48,6 +48,21 @@ std::vector<Way> ways_of(const tour::Problem& problem, int number) {
     return ways;
 }
 
+struct Ways {
+    std::vector<Way> ways;           ///< by element
+    std::vector<std::size_t> first;  ///< by element; one past the end too
+};
+Ways all_ways(const tour::Problem& problem) {
+    Ways all;
+    for (std::size_t i = 0; i < problem.elements.size(); ++i) {
+        all.first.push_back(all.ways.size());
+        const auto own = ways_of(problem, static_cast<int>(i));
+        all.ways.insert(all.ways.end(), own.begin(), own.end());
+    }
+    all.first.push_back(all.ways.size());
+    return all;
+}
+
 /// Whether coordinates say it all: lines that may be run either way, to anywhere.
 bool is_plain(const tour::Problem& problem) {
     for (std::size_t i = 0; i < problem.elements.size(); ++i)
@@ -98,14 +113,7 @@ std::string written_lines(const tour::Problem& problem, const Box& box) {
 
 /// Node 1 is start and end together.
 Outcome<std::string> written_sets(const tour::Problem& problem, const Box& box) {
-    std::vector<Way> ways;
-    std::vector<std::size_t> first;
-    for (std::size_t i = 0; i < problem.elements.size(); ++i) {
-        first.push_back(ways.size());
-        const auto own = ways_of(problem, static_cast<int>(i));
-        ways.insert(ways.end(), own.begin(), own.end());
-    }
-    first.push_back(ways.size());
+    const auto [ways, first] = all_ways(problem);
     if (ways.size() >= most_matrix_nodes)
         return fail("TSPLIB",
                     fmt::format("{} ways to pass the elements; a matrix is written for {} at most",
@@ -201,11 +209,7 @@ Outcome<std::vector<tour::Step>> steps_of_lines(std::vector<long> nodes, const s
 
 Outcome<std::vector<tour::Step>> steps_of_sets(std::vector<long> nodes, const std::string& place,
                                                const tour::Problem& problem) {
-    std::vector<Way> ways;
-    for (std::size_t i = 0; i < problem.elements.size(); ++i) {
-        const auto own = ways_of(problem, static_cast<int>(i));
-        ways.insert(ways.end(), own.begin(), own.end());
-    }
+    const std::vector<Way> ways = all_ways(problem).ways;
     const auto start = std::ranges::find(nodes, 1);
     if (start == nodes.end()) return fail(place, "node 1 is missing");
     std::rotate(nodes.begin(), start, nodes.end());
