@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "path/fill/narrow.hpp"
+#include "path/fill/precedence.hpp"
 
 namespace strandline::fill {
 namespace {
@@ -180,7 +181,8 @@ void put(std::vector<Pass> passes, int element, const Options& options, Target& 
 /// Offers what wishes lead to, where that is apart in start or exit from `first` and from each other.
 void add_variants(const Region& region, int element, const std::vector<Pass>& first, const Passes& planned,
                   const Options& options, Fill& fill) {
-    if (options.variants <= 0 || first.empty()) return;
+    // The strokes of a fill with several are put in order by who drives them.
+    if (options.variants <= 0 || first.size() != 1) return;
     const double length = driven(first);
     if (length > most_varied * options.width) return;
     std::vector<std::pair<Point, Point>> ends{{first.front().line.front(), first.back().line.back()}};
@@ -260,6 +262,7 @@ Fill fill_region(const Region& region, int element, const std::string& place, co
     add_variants(
         region, element, passes, [&](const Wish& wish) { return finished(passes_of(wish)); }, options, fill);
     put(std::move(passes), element, options, fill);
+    fill.before = precedence(fill.strokes, options.width);
     return fill;
 }
 

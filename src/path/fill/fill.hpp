@@ -4,6 +4,7 @@
 // Metres.
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
@@ -81,10 +82,13 @@ struct Variant {
 /// The fill of one region.
 struct Fill {
     std::vector<Stroke>
-        strokes;  ///< in the order they must be raked: inside to outside, border last; one_way, fill = true
+        strokes;  ///< in an order that they may be raked in: inside to outside, border last; one_way, fill
+    std::vector<std::pair<int, int>> before;  ///< the first stroke is raked before the second; what these
+                                              ///< pairs leave open is open, with other work between
     std::vector<Polyline> ways;     ///< rake-up way to stroke i from the one before, over sand not yet raked;
                                     ///< its ends left out, {}: straight
-    std::vector<Variant> variants;  ///< start or exit more than a width from those of all others
+    std::vector<Variant> variants;  ///< of a fill of one stroke: start or exit more than a width from those
+                                    ///< of all others
     double area = 0;                ///< of the region, m^2
     double swept = 0;               ///< stroke length x width, m^2
     int dropped_parts = 0;          ///< smaller than min_area or narrower than the rake

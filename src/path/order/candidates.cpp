@@ -1,6 +1,7 @@
 #include "path/order/candidates.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace strandline::order {
@@ -8,6 +9,10 @@ namespace {
 
 // Per closed stroke and sense: 24^2 x 4 Dubins curves a pair stay near a millisecond.
 constexpr std::size_t most_candidates = 24;
+/// Radians: a smaller turn is never looped round, whatever the settings.
+constexpr double may_loop = 0.5;
+/// Metres between robot states where only lengths are asked for.
+constexpr double coarse_step = 0.05;
 
 /// The rake path's pose at arc length s; where two curves meet in a corner the incoming or the outgoing one.
 /// The seam of a closed stroke is such a meeting too.
@@ -58,13 +63,85 @@ Candidate candidate(const Group& group, const Going& going, const Robot& robot) 
     return {going, robot_pose(start, robot), robot_pose(end, robot), start.pose, end.pose, longer};
 }
 
-/// The nodes of a closed stroke to try: evenly spread ones and the tour's own.
-std::vector<int> nodes_to_try(const Stroke& stroke, int chosen) {
+/// Rake up between the parts of one stroke.
+double looped(const drive::Drive& drive) {
+    double sum = 0;
+    for (const Leg& leg : drive.legs)
+        if (leg.motion == Motion::loop) sum += leg.path.back().s - leg.path.front().s;
+    return sum;
+}
+
+/// How a closed stroke may be entered: at which nodes, and the metres rake up within it.
+struct Ways {
     std::vector<int> nodes;
+    std::vector<double> looped;
+};
+
+/// Corners that cost a loop where the stroke is not entered there, those with the longest first, then evenly
+/// spread nodes and the tour's own.
+Ways ways_into(const Stroke& stroke, int chosen, const Robot& robot, drive::Options options) {
+    options.step = std::max(options.step, coarse_step);
+    const auto looped_from = [&](int node) {
+        return looped(drive::drive(stroke, 0, node, false, robot, options));
+    };
     const std::size_t n = stroke.nodes.size(), count = std::min(n, most_candidates);
-    for (std::size_t k = 0; k < count; ++k) nodes.push_back(static_cast<int>(k * n / count));
-    if (std::ranges::find(nodes, chosen) == nodes.end()) nodes.push_back(chosen);
-    return nodes;
+    Ways ways{{chosen}, {looped_from(chosen)}};
+    const auto take = [&](int node, double metres) {
+        if (std::ranges::find(ways.nodes, node) != ways.nodes.end()) return;
+        ways.nodes.push_back(node);
+        ways.looped.push_back(metres);
+    };
+    // Between corners it makes no difference where a stroke is entered.
+    double plain = ways.looped.front();
+    std::vector<int> corners;
+    for (int k = 0; k < static_cast<int>(n); ++k) {
+        const double s = stroke.nodes[static_cast<std::size_t>(k)].s;
+        const double turn = wrap_angle(rake_point(stroke, s, Side::outgoing).pose.heading -
+                                       rake_point(stroke, s, Side::incoming).pose.heading);
+        if (std::abs(turn) > may_loop) corners.push_back(k);
+    }
+    if (plain > 0 || (corners.size() == 1 && corners.front() == chosen)) {
+        if (corners.size() > most_candidates) corners.resize(most_candidates);
+        for (const int corner : corners) take(corner, corner == chosen ? plain : looped_from(corner));
+        // The corner that is entered is the one that saves: elsewhere all are looped round.
+        for (int k = 0; k < static_cast<int>(n); ++k)
+            if (std::ranges::find(corners, k) == corners.end()) {
+                plain = k == chosen ? plain : looped_from(k);
+                break;
+            }
+    }
+    for (std::size_t k = 0; k < count && ways.nodes.size() < most_candidates; ++k)
+        take(static_cast<int>(k * n / count), plain);
+    return ways;
+}
+
+std::vector<Candidate> candidates(const Job& job, const tour::Step& step, const Robot& robot,
+                                  const drive::Options& options) {
+    const Group& group = job.groups[static_cast<std::size_t>(step.element)];
+    const Stroke& first = group.work.strokes.front();
+    const bool single = is_single(group);
+    const bool fixed_place = group.entry.has_value() || is_tied(job, step.element);
+    std::vector<Candidate> found{candidate(group, {step}, robot)};
+    const auto consider = [&](tour::Step other, double longer = 0) {
+        if (!(other == step)) found.push_back(candidate(group, {other}, robot));
+        (other == step ? found.front() : found.back()).longer += longer;
+    };
+    if (!fixed_place)
+        for (std::size_t k = 0; k < group.variants.size(); ++k)
+            found.push_back(candidate(group, {step, static_cast<int>(k)}, robot));
+    if (single && first.closed) {
+        const bool fixed_sense = group.sense != tour::Sense::any || first.one_way;
+        const Ways ways =
+            fixed_place ? Ways{{step.entry}, {0}} : ways_into(first, step.entry, robot, options);
+        for (std::size_t k = 0; k < ways.nodes.size(); ++k)
+            for (bool reversed : {false, true})
+                if (!fixed_sense || reversed == step.reversed)
+                    consider({step.element, ways.nodes[k], reversed}, ways.looped[k]);
+    } else if (single && !first.one_way && !fixed_place && group.direction == tour::Direction::any) {
+        const int last = static_cast<int>(first.nodes.size()) - 1;
+        consider({step.element, step.reversed ? 0 : last, !step.reversed});
+    }
+    return found;
 }
 
 }  // namespace
@@ -75,28 +152,12 @@ bool is_tied(const Job& job, int group) {
     return std::ranges::any_of(job.ties, [&](const Tie& tie) { return tie.a == group || tie.b == group; });
 }
 
-std::vector<Candidate> candidates(const Job& job, const tour::Step& step, const Robot& robot) {
-    const Group& group = job.groups[static_cast<std::size_t>(step.element)];
-    const Stroke& first = group.work.strokes.front();
-    const bool single = is_single(group);
-    const bool fixed_place = group.entry.has_value() || is_tied(job, step.element);
-    std::vector<Candidate> found{candidate(group, {step}, robot)};
-    const auto consider = [&](tour::Step other) {
-        if (!(other == step)) found.push_back(candidate(group, {other}, robot));
-    };
-    if (!fixed_place)
-        for (std::size_t k = 0; k < group.variants.size(); ++k)
-            found.push_back(candidate(group, {step, static_cast<int>(k)}, robot));
-    if (single && first.closed) {
-        const bool fixed_sense = group.sense != tour::Sense::any || first.one_way;
-        for (int node : fixed_place ? std::vector<int>{step.entry} : nodes_to_try(first, step.entry))
-            for (bool reversed : {false, true})
-                if (!fixed_sense || reversed == step.reversed) consider({step.element, node, reversed});
-    } else if (single && !first.one_way && !fixed_place && group.direction == tour::Direction::any) {
-        const int last = static_cast<int>(first.nodes.size()) - 1;
-        consider({step.element, step.reversed ? 0 : last, !step.reversed});
-    }
-    return found;
+Choices choices_of(const Job& job, const std::vector<tour::Step>& steps, const Robot& robot,
+                   const drive::Options& options) {
+    Choices choices(job.groups.size());
+    for (const tour::Step& step : steps)
+        choices[static_cast<std::size_t>(step.element)] = candidates(job, step, robot, options);
+    return choices;
 }
 
 }  // namespace strandline::order

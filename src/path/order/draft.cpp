@@ -170,7 +170,12 @@ class Drafter {
     }
 
     void take(drive::Drive& driven) {
-        for (Leg& leg : driven.legs) answer_.legs.push_back(std::move(leg));
+        for (Leg& leg : driven.legs) {
+            // Those of fills are the same whichever way they are taken, but for variants, which say so.
+            if (leg.motion == Motion::loop && !answer_.strokes[static_cast<std::size_t>(leg.stroke)].fill)
+                cost_ += leg.path.back().s - leg.path.front().s;
+            answer_.legs.push_back(std::move(leg));
+        }
         for (const drive::Span& span : driven.undrivable) answer_.undrivable.push_back(span);
         answer_.exact += driven.exact;
         answer_.rounded += driven.rounded;

@@ -7,7 +7,8 @@ namespace strandline::order {
 struct Draft {
     Ordered ordered;       ///< all but the tour
     bool stopped = false;  ///< progress ended the search: not reproducible
-    double cost = 0;  ///< metres: what lies between groups, turns, blemishes, and what variants are longer
+    double cost =
+        0;  ///< metres: what lies between groups, turns, blemishes, loops, and what variants are longer
 };
 /// What a search knows and learns: the candidates taken, what was driven between candidates.
 struct Search {
@@ -21,7 +22,7 @@ Draft drafted(const Job& job, const std::vector<Going>& goings, const Robot& rob
               const Search* search, const Progress& progress);
 
 /// The draft that no other order, found by annealing on what was driven, is cheaper than.
-Draft searched(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
-               const Progress& progress);
+Draft searched(const Job& job, const std::vector<Going>& goings, const Choices& choices, const Robot& robot,
+               const Options& options, const Progress& progress);
 
 }  // namespace strandline::order

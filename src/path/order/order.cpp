@@ -6,6 +6,7 @@
 
 #include "path/order/candidates.hpp"
 #include "path/order/draft.hpp"
+#include "path/order/parted.hpp"
 #include "path/order/senses.hpp"
 
 namespace strandline::order {
@@ -62,21 +63,24 @@ const std::vector<Stroke>& strokes_of(const Group& group, int variant) {
     return variant < 0 ? group.work.strokes : group.variants[static_cast<std::size_t>(variant)].strokes;
 }
 
-Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& options,
+Outcome<Ordered> ordered(const Job& whole, const Robot& robot, const Options& options,
                          const Progress& progress) {
+    Parted parts = parted(whole);
+    Job& job = parts.job;
     const auto tour = tour::solve(problem_of(job), options.tour, progress);
     if (!tour) return tl::unexpected(tour.error());
-    std::vector<Going> goings = with_driven_senses(job, tour->steps, robot);
+    const Choices choices = choices_of(job, tour->steps, robot, options.drive);
+    const std::vector<Going> goings = with_driven_senses(job, tour->steps, choices, robot);
     // Where turns cost nothing, straight gaps are what is driven, and nothing is rolled over.
     const bool curved = robot.min_radius > 0 && options.connect.style != connect::Style::straight;
     const bool searches =
         curved && !options.straight &&
         (options.tour.method == tour::Method::best || options.tour.method == tour::Method::exact);
-    Job parted = job;
-    if (!tour->groups.empty()) parted.batches = tour->groups;
-    Draft draft = searches ? searched(parted, goings, robot, options, progress)
+    if (searches && !tour->groups.empty()) job.batches = tour->groups;
+    Draft draft = searches ? searched(job, goings, choices, robot, options, progress)
                            : drafted(job, goings, robot, options, nullptr, progress);
     Ordered answer = std::move(draft.ordered);
+    put_together(answer, parts, whole);
     answer.tour = *tour;
     answer.tour.stopped |= draft.stopped;
     progress.report("driving", 1);

@@ -21,9 +21,13 @@ struct Variant {
     double longer = 0;            ///< metres driven within it beyond those of the group's own strokes
 };
 /// One element's strokes and what a person asked of them. Closed single strokes are entered at any node; open
-/// ones at either end; the strokes of a fill keep their order and direction.
+/// ones at either end; the strokes of a fill keep their direction, and their order where `before` says so.
 struct Group {
     StrokeGroup work;
+    /// Of its strokes: the first is drawn before the second; the last one comes last in any case. Where pairs
+    /// stand here, strokes that they leave open change places, with other groups between, and variants are
+    /// passed over; unless the group is tied. None: the strokes are driven in one go, as they stand.
+    std::vector<std::pair<int, int>> before = {};
     std::vector<Variant> variants = {};
     std::string name = {};          ///< for messages
     std::optional<int> entry = {};  ///< fixed node of a closed stroke, or 0 / last of an open one

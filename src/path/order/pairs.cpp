@@ -32,14 +32,11 @@ bool nearly_touch(Pose from, Pose to, const Robot& robot, const Options& options
            std::abs(wrap_angle(to.heading - across)) < options.drive.corner_threshold;
 }
 
-Pairs::Pairs(const Job& job, const std::vector<tour::Step>& steps, const Robot& robot, const Options& options)
+Pairs::Pairs(const Job& job, const Choices& choices, const Robot& robot, const Options& options)
     : job_(job), robot_(robot), options_(options), marks_(job, options.avoid, robot.min_radius) {
-    std::vector<const tour::Step*> by_group(job.groups.size());
-    for (const tour::Step& step : steps) by_group[static_cast<std::size_t>(step.element)] = &step;
     first_.push_back(0);
-    for (const tour::Step* step : by_group) {
-        for (Candidate& candidate : order::candidates(job, *step, robot))
-            candidates_.push_back(std::move(candidate));
+    for (const std::vector<Candidate>& own : choices) {
+        candidates_.insert(candidates_.end(), own.begin(), own.end());
         first_.push_back(static_cast<int>(candidates_.size()));
     }
     if (candidates_.size() <= most_tabled) table_.assign(candidates_.size() * candidates_.size(), -1);

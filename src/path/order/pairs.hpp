@@ -28,7 +28,7 @@ struct Passage {
 /// was really driven.
 class Pairs {
   public:
-    Pairs(const Job& job, const std::vector<tour::Step>& steps, const Robot& robot, const Options& options);
+    Pairs(const Job& job, const Choices& choices, const Robot& robot, const Options& options);
 
     const std::vector<Candidate>& all() const { return candidates_; }
     int group_of(int candidate) const {

@@ -7,7 +7,7 @@ namespace strandline::order {
 namespace {
 
 /// Metres: what the search may spend on a move at first, and in later rounds.
-constexpr double hot = 1.5, warm = 0.15;
+constexpr double hot = 3, warm = 0.15;
 /// Passages weighed: by group, and at most; later rounds have a share of that.
 constexpr std::uint64_t work_by_group = 6'000, most_work = 4'000'000, later_share = 4;
 /// Of a budget in moves: the tour's moves take about as long as so many passages.
@@ -22,11 +22,9 @@ std::vector<Going> goings_of(const Row& row, const Pairs& pairs) {
 
 }  // namespace
 
-Draft searched(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
-               const Progress& progress) {
-    std::vector<tour::Step> steps;
-    for (const Going& going : goings) steps.push_back(going.step);
-    Pairs pairs(job, steps, robot, options);
+Draft searched(const Job& job, const std::vector<Going>& goings, const Choices& choices, const Robot& robot,
+               const Options& options, const Progress& progress) {
+    Pairs pairs(job, choices, robot, options);
     Row row;
     for (const Going& going : goings) {
         const auto [first, end] = pairs.of_group(going.step.element);
@@ -64,7 +62,7 @@ Draft searched(const Job& job, const std::vector<Going>& goings, const Robot& ro
         row = next;
     }
     std::vector<int> before, after;
-    for (const tour::Step& step : steps) before.push_back(step.element);
+    for (const Going& going : goings) before.push_back(going.step.element);
     for (const int candidate : best_row) after.push_back(pairs.group_of(candidate));
     best->stopped = stopped;
     best->ordered.reordered = before != after;

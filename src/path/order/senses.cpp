@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-
-#include "path/order/candidates.hpp"
+#include <span>
 
 namespace strandline::order {
 
 std::vector<Going> with_driven_senses(const Job& job, const std::vector<tour::Step>& steps,
-                                      const Robot& robot) {
+                                      const Choices& choices, const Robot& robot) {
     if (steps.empty()) return {};
     const auto cost = [&](Pose from, Pose to) {
         return robot.min_radius > 0 ? dubins_length(from, to, robot.min_radius) : distance(from.at, to.at);
     };
-    std::vector<std::vector<Candidate>> ways;
-    for (const tour::Step& step : steps) ways.push_back(candidates(job, step, robot));
+    std::vector<std::span<const Candidate>> ways;
+    for (const tour::Step& step : steps) ways.emplace_back(choices[static_cast<std::size_t>(step.element)]);
     std::vector<std::vector<std::size_t>> came_from(ways.size());
     std::vector<double> best;
     for (const Candidate& way : ways[0])

@@ -140,6 +140,7 @@ void fill_in(Worked& work, const Robot& robot, const Options& options) {
     work.fallbacks += static_cast<int>(filled.warnings.size());
     work.warnings.insert(work.warnings.end(), filled.warnings.begin(), filled.warnings.end());
     work.group.work.strokes = std::move(filled.strokes);
+    work.group.before = std::move(filled.before);
     work.group.area = {region};
     work.filled = Filled{std::move(filling), {std::move(filled.ways)}};
     for (fill::Variant& variant : filled.variants) {
