@@ -36,15 +36,17 @@ class Annealer {
           row_(std::move(row)),
           size_(static_cast<int>(row_.size())),
           place_(job.groups.size()),
-          before_(job.groups.size()),
           after_(job.groups.size()),
           batch_(job.groups.size(), 0),
           glued_(job.groups.size(), 0),
+          area_(job.groups.size(), -1),
+          tried_(job.groups.size(), -1),
           random_(seed) {
         for (int k = 0; k < size_; ++k) place_at(k) = k;
+        for (std::size_t g = 0; g < job.groups.size(); ++g)
+            if (job.groups[g].work.strokes.front().fill) area_[g] = job.groups[g].work.element;
         for (const auto& [a, b] : job.before) {
             after_[static_cast<std::size_t>(a)].push_back(b);
-            before_[static_cast<std::size_t>(b)].push_back(a);
         }
         for (std::size_t i = 0; i < job.batches.size(); ++i)
             for (const int group : job.batches[i])
@@ -188,6 +190,36 @@ class Annealer {
                batch_[static_cast<std::size_t>(group_at(to))];
     }
 
+    void take(int first, int end) {
+        for (int i = first; i < end; ++i) part_.push_back(row_[static_cast<std::size_t>(i)]);
+    }
+    int area_at(int k) const { return area_[static_cast<std::size_t>(group_at(k))]; }
+    /// The other way round; strokes of one area that follow one another stay as they are.
+    void take_turned(int first, int end) {
+        for (int i = end; i > first;) {
+            int j = i - 1;
+            while (j > first && area_at(j) >= 0 && area_at(j - 1) == area_at(j)) --j;
+            if (j + 1 == i)
+                part_.push_back(mate(row_[static_cast<std::size_t>(j)]));
+            else
+                take(j, i);
+            i = j;
+        }
+    }
+    /// Whether what must come before still does, with `part_` at `from`.
+    bool keeps_order(int from) {
+        const int to = from + static_cast<int>(part_.size());
+        int at = from;
+        for (const int candidate : part_) tried_[static_cast<std::size_t>(pairs_.group_of(candidate))] = at++;
+        return std::ranges::all_of(part_, [&](int candidate) {
+            const auto group = static_cast<std::size_t>(pairs_.group_of(candidate));
+            return std::ranges::all_of(after_[group], [&](int later) {
+                const int old = place_[static_cast<std::size_t>(later)];
+                return old < from || old >= to || tried_[static_cast<std::size_t>(later)] > tried_[group];
+            });
+        });
+    }
+
     /// From k to the place of a neighbour (either before or after it) the other way round.
     void turn_about(int k, double allowed) {
         const auto& near = near_[static_cast<std::size_t>(group_at(k))];
@@ -201,12 +233,9 @@ class Annealer {
         if (from >= to || to - from > longest_part || !one_batch(from, to)) return;
         for (int i = from - 1; i <= to; ++i)
             if (glued_after(i)) return;
-        for (int i = from; i <= to; ++i)
-            for (const int later : after_[static_cast<std::size_t>(group_at(i))])
-                if (place_[static_cast<std::size_t>(later)] <= to) return;
         part_.clear();
-        for (int i = to; i >= from; --i) part_.push_back(mate(row_[static_cast<std::size_t>(i)]));
-        offer(from, allowed);
+        take_turned(from, to + 1);
+        if (keeps_order(from)) offer(from, allowed);
     }
 
     /// A part that begins at k goes beside a neighbour, as it is or turned about.
@@ -231,29 +260,8 @@ class Annealer {
         if (turned)
             for (int i = k; i < end; ++i)
                 if (glued_after(i)) return;
-        for (int i = k; i < end; ++i) {
-            const auto& must = gap > k ? after_[static_cast<std::size_t>(group_at(i))]
-                                       : before_[static_cast<std::size_t>(group_at(i))];
-            for (const int g : must) {
-                const int at = place_[static_cast<std::size_t>(g)];
-                if (at >= from && at < to && (at < k || at >= end || turned)) return;
-            }
-            if (turned)
-                for (const int g : after_[static_cast<std::size_t>(group_at(i))]) {
-                    const int at = place_[static_cast<std::size_t>(g)];
-                    if (at >= k && at < end) return;
-                }
-        }
         part_.clear();
-        const auto take = [&](int first, int last) {
-            for (int i = first; i < last; ++i) part_.push_back(row_[static_cast<std::size_t>(i)]);
-        };
-        const auto take_part = [&] {
-            if (turned)
-                for (int i = end - 1; i >= k; --i) part_.push_back(mate(row_[static_cast<std::size_t>(i)]));
-            else
-                take(k, end);
-        };
+        const auto take_part = [&] { turned ? take_turned(k, end) : take(k, end); };
         if (gap <= k) {
             take_part();
             take(from, k);
@@ -262,7 +270,7 @@ class Annealer {
             take_part();
         }
         if (gap > k && gap < end) return;
-        offer(from, allowed);
+        if (keeps_order(from)) offer(from, allowed);
     }
 
     /// `part_` in place of what is at `from` and after; taken where it costs no more than allowed.
@@ -299,9 +307,11 @@ class Annealer {
     Row row_;
     int size_;
     std::vector<int> place_;  ///< by group
-    std::vector<std::vector<int>> before_, after_, near_;
+    std::vector<std::vector<int>> after_, near_;
     std::vector<int> batch_;
     std::vector<char> glued_;
+    std::vector<int> area_;   ///< by group: the element whose fill it is a stroke of; -1: none
+    std::vector<int> tried_;  ///< by group: its place in what is tried
     std::mt19937_64 random_;
     std::vector<double> costs_, next_;
     Row part_;
