@@ -74,7 +74,7 @@ struct TourArguments {
     std::string input, output = "-";
     unsigned long long moves = 0, seed = 1;
     std::string time_limit;  ///< duration text, "" = none
-    std::string method = "best", order = "any";
+    std::string method = "best", order = "any", entries = "vertices";
     int threads = 1;
     std::string write_tsplib, read_tour;  ///< files; "" = none
 };

@@ -26,6 +26,10 @@ void add_stages(CLI::App& app, TourArguments& t, FillArguments& f, ConnectArgume
     tour->add_option("--order", t.order, "grouped: neighbouring elements are finished together")
         ->check(CLI::IsMember({"any", "grouped"}))
         ->capture_default_str();
+    tour->add_option("--entries", t.entries,
+                     "edges: along the order found, closed elements are entered anywhere on their edges")
+        ->check(CLI::IsMember({"vertices", "edges"}))
+        ->capture_default_str();
     tour->add_option("--threads", t.threads, "so many searches at once; the best is taken")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();

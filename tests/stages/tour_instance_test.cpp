@@ -74,12 +74,18 @@ TEST(TourInstance, WrongFieldsAreNamedByPlace) {
 }
 
 TEST(TourInstance, ASolutionIsABareArrayWithAllThreeKeys) {
-    EXPECT_EQ(write_solution({}), "[]\n");
+    EXPECT_EQ(write_solution({}, {}), "[]\n");
+    tour::Problem problem;
+    problem.elements.resize(2);
+    problem.elements[0].closed = true;
     tour::Tour tour;
-    tour.steps = {{1, 0, false}, {0, 4, true}};
-    EXPECT_EQ(write_solution(tour),
+    tour.steps = {{1, 0, false}, {0, 2, true}};
+    EXPECT_EQ(write_solution(tour, problem),
               "[{\"element\":1,\"entry_index\":0,\"reversed\":false},\n "
-              "{\"element\":0,\"entry_index\":4,\"reversed\":true}]\n");
+              "{\"element\":0,\"entry_index\":2,\"reversed\":true}]\n");
+    EXPECT_EQ(write_solution(tour, problem, tour::Entries{{{5, 5}, {0.5, 0}}, 3}),
+              "[{\"element\":1,\"entry_index\":0,\"reversed\":false},\n "
+              "{\"element\":0,\"entry_index\":2,\"reversed\":true,\"at\":[0.5,0]}]\n");
 }
 
 TEST(TourInstance, TheSmallDrawingsReachTheirProvenOptima) {

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
+
+#include "path/tour/hilbert.hpp"
 
 namespace strandline::tour {
 namespace {
@@ -296,6 +299,29 @@ std::string named(const Problem& problem, int element) {
     return name.empty() ? fmt::format("element {}", element) : fmt::format("element {} ({})", element, name);
 }
 
+namespace {
+
+/// More elements than this do not fit the processor's caches: what is near is numbered alike. Half the time
+/// of a move at 100,000 lines.
+constexpr int most_as_given = 1'000;
+
+std::vector<int> numbering(const Problem& problem) {
+    const int n = static_cast<int>(problem.elements.size());
+    const bool plain = problem.links.empty() && problem.before.empty() && problem.groups.empty();
+    if (plain && n > most_as_given) {
+        std::vector<Point> middles;
+        middles.reserve(at(n));
+        for (const Element& e : problem.elements)
+            middles.push_back(between(e.points.front(), e.points.back(), 0.5));
+        return along_hilbert_curve(middles);
+    }
+    std::vector<int> numbers(at(n));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+}  // namespace
+
 Outcome<Model> build_model(const Problem& problem) {
     if (const auto sound = check_points(problem); !sound) return tl::unexpected(sound.error());
     if (const auto sound = check_entries(problem); !sound) return tl::unexpected(sound.error());
@@ -306,7 +332,7 @@ Outcome<Model> build_model(const Problem& problem) {
     model.problem = &problem;
     const int n = static_cast<int>(problem.elements.size());
     model.piece_of.assign(at(n), -1);
-    for (int e = 0; e < n; ++e) {
+    for (const int e : numbering(problem)) {
         // A chain is read from its end with the lower number; one that has no end is a ring.
         if (model.piece_of[at(e)] >= 0 || (*holds)[at(e)].size() == 2) continue;
         if (const auto added = add_piece(model, *holds, e); !added) return tl::unexpected(added.error());

@@ -205,7 +205,7 @@ std::vector<Visit> nearest_order(const Model& model) {
         return model.ends[at(2 * visit.piece + (visit.backward ? 0 : 1))];
     };
     if (model.pieces.empty()) return order;
-    Point here = model.problem->start ? *model.problem->start : take({});
+    Point here = model.problem->start ? *model.problem->start : take({model.piece_of.front(), false, 0});
     for (int k = tree.nearest(here); k >= 0; k = tree.nearest(here)) {
         const int owner = tree.entry(k).owner;
         if (owner < 0)

@@ -56,4 +56,10 @@ struct Candidates {
 /// `count` owners a node. O(n log n) time; O(n count) memory.
 Candidates find_candidates(const Model& model, int count);
 
+/// Greedy edges (Bentley, ORSA Journal on Computing 4, 1992): the shortest candidates that can stand
+/// together, then, round by round, the shortest links between ends of the rows so far. For problems without
+/// rules; begins at the start. Polygons count as near as their nearest vertices, each stands at its first.
+/// O(n log n).
+std::vector<Visit> greedy_order(const Model& model, const Candidates& near);
+
 }  // namespace strandline::tour

@@ -58,7 +58,7 @@ Searched improve(const Model& model, const std::vector<Visit>& first, std::uint6
     const Candidates near = find_candidates(model, candidate_count);
     Budget budget{progress, moves, most_visits};
     Searched result;
-    result.order = descended(model, near, first, seed, budget);
+    result.order = descended(model, near, first.empty() ? greedy_order(model, near) : first, seed, budget);
     const auto report = [&] {
         progress.report(fmt::format("rake up {:.6g}", length_of_order(model, result.order)),
                         std::min(1.0, budget.used()));

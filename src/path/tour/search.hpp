@@ -13,9 +13,9 @@ struct Searched {
     std::uint64_t moves = 0;
     bool stopped = false;
 };
-/// Never longer than `first`; keeps the rules if `first` does. Deterministic for seed and moves, unless
-/// stopped or within a time limit. It also ends, with what it has, when it has read `most_visits` visits to
-/// see whether rules are kept. O(n) memory.
+/// Never longer than `first`; keeps the rules if `first` does. Without one (and without rules) it begins with
+/// the greedy order. Deterministic for seed and moves, unless stopped or within a time limit. It also ends,
+/// with what it has, when it has read `most_visits` visits to see whether rules are kept. O(n) memory.
 Searched improve(const Model& model, const std::vector<Visit>& first, std::uint64_t seed, std::uint64_t moves,
                  const Progress& progress,
                  std::uint64_t most_visits = std::numeric_limits<std::uint64_t>::max());

@@ -118,7 +118,8 @@ Outcome<Tour> solve_as_given(const Problem& problem, const Options& options, con
         small ? std::min(moves, moves_before_proof * static_cast<std::uint64_t>(std::max(pieces, 1))) : moves;
     Progress short_search = progress;
     if (small) short_search.time_used = {};
-    Searched searched = improved(*model, *first, options, before_proof, short_search);
+    Searched searched = improved(*model, model->rules.any ? *first : std::vector<Visit>{}, options,
+                                 before_proof, short_search);
     tour.moves = searched.moves;
     tour.stopped = searched.stopped || (!small && progress.time_used);
     state(searched.order);

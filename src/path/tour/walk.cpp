@@ -170,7 +170,11 @@ Outcome<std::vector<Visit>> first_order(const Model& model) {
 Outcome<std::vector<Visit>> file_order(const Model& model) {
     if (model.rules.any) return walked(model, true);
     std::vector<Visit> order;
-    for (int p = 0; p < model.piece_count(); ++p) order.push_back({p, false, 0});
+    std::vector<bool> taken(model.pieces.size(), false);
+    for (const int p : model.piece_of) {
+        if (!taken[at(p)]) order.push_back({p, false, 0});
+        taken[at(p)] = true;
+    }
     return order;
 }
 

@@ -20,7 +20,9 @@ struct Instance {
     Warnings warnings;  ///< unknown keys
 };
 Outcome<Instance> read_instance(std::string_view text, const std::string& place);
-std::string write_solution(const tour::Tour& tour);
+/// entries: written as "at" beside each step of a closed element.
+std::string write_solution(const tour::Tour& tour, const tour::Problem& problem,
+                           const std::optional<tour::Entries>& entries = {});
 /// The problem for solvers of others (TSPLIB, Reinelt, ORSA Journal on Computing 3, 1991). Lines that may be
 /// run either way, to anywhere: coordinates, a node for each end, fixed edges, an open tour (TYPE HPP); a far
 /// point tied to the start keeps it in front. All else: AGTSP, a set for each element, a node for each way to

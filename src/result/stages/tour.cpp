@@ -210,12 +210,17 @@ Outcome<Instance> read_instance(std::string_view text, const std::string& place)
     return Reader(root, place).run();
 }
 
-std::string write_solution(const tour::Tour& tour) {
+std::string write_solution(const tour::Tour& tour, const tour::Problem& problem,
+                           const std::optional<tour::Entries>& entries) {
     std::string text = "[";
-    for (const tour::Step& step : tour.steps) {
+    for (std::size_t k = 0; k < tour.steps.size(); ++k) {
+        const tour::Step& step = tour.steps[k];
         text += text.size() > 1 ? ",\n " : "";
-        fmt::format_to(std::back_inserter(text), R"({{"element":{},"entry_index":{},"reversed":{}}})",
+        fmt::format_to(std::back_inserter(text), R"({{"element":{},"entry_index":{},"reversed":{})",
                        step.element, step.entry, step.reversed);
+        if (entries && problem.elements[static_cast<std::size_t>(step.element)].closed)
+            fmt::format_to(std::back_inserter(text), R"(,"at":[{},{}])", entries->at[k].x, entries->at[k].y);
+        text += '}';
     }
     return text + "]\n";
 }
