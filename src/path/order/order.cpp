@@ -65,7 +65,7 @@ const std::vector<Stroke>& strokes_of(const Group& group, int variant) {
 
 Outcome<Ordered> ordered(const Job& whole, const Robot& robot, const Options& options,
                          const Progress& progress) {
-    Parted parts = parted(whole);
+    Parted parts = parted(whole, robot.rake_width());
     Job& job = parts.job;
     const auto tour = tour::solve(problem_of(job), options.tour, progress);
     if (!tour) return tl::unexpected(tour.error());

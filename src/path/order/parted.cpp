@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <utility>
 
 namespace strandline::order {
@@ -15,42 +16,57 @@ struct Parts {
     int last() const { return end - 1; }
 };
 
-Parts take_apart(const Group& group, bool whole, std::vector<Group>& into,
+/// By stroke: the run of strokes that it belongs to, each within `near` of the one before.
+std::vector<int> runs_of(const std::vector<Stroke>& strokes, double near) {
+    std::vector<int> runs{0};
+    for (std::size_t k = 1; k < strokes.size(); ++k) {
+        const Point end = end_pose(strokes[k - 1].rake_path.back()).at;
+        runs.push_back(runs.back() + (distance(end, strokes[k].rake_path.front().start.at) > near ? 1 : 0));
+    }
+    return runs;
+}
+
+Parts take_apart(const Group& group, bool whole, double near, std::vector<Group>& into,
                  std::vector<std::pair<int, int>>& before) {
     const int first = static_cast<int>(into.size());
-    const int count = static_cast<int>(group.work.strokes.size());
-    if (whole || group.before.empty() || count < 2) {
+    const std::vector<Stroke>& strokes = group.work.strokes;
+    const std::vector<int> runs = runs_of(strokes, near);
+    const int last = runs.back();
+    if (whole || group.before.empty() || last == 0) {
         into.push_back(group);
         return {first, first + 1, {first}};
     }
-    std::vector<char> waits(static_cast<std::size_t>(count), 0);
-    const auto wait = [&](int a, int b) {
+    std::set<std::pair<int, int>> pairs;
+    for (const auto& [a, b] : group.before)
+        pairs.emplace(runs[static_cast<std::size_t>(a)], runs[static_cast<std::size_t>(b)]);
+    for (int run = 0; run < last; ++run) pairs.emplace(run, last);
+    std::vector<char> waits(static_cast<std::size_t>(last) + 1, 0);
+    for (const auto& [a, b] : pairs) {
+        if (a == b) continue;
         before.emplace_back(first + a, first + b);
         waits[static_cast<std::size_t>(b)] = 1;
-    };
-    for (const auto& [a, b] : group.before) wait(a, b);
-    Parts parts{first, first + count};
-    for (int k = 0; k < count; ++k) {
-        const Stroke& stroke = group.work.strokes[static_cast<std::size_t>(k)];
-        if (k + 1 < count && std::ranges::find(group.before, std::pair{k, count - 1}) == group.before.end())
-            wait(k, count - 1);
-        if (waits[static_cast<std::size_t>(k)] == 0) parts.foremost.push_back(first + k);
-        into.push_back({.work = {group.work.element, {stroke}}, .name = group.name});
     }
+    Parts parts{first, first + last + 1};
+    for (int run = 0; run <= last; ++run) {
+        if (waits[static_cast<std::size_t>(run)] == 0) parts.foremost.push_back(first + run);
+        into.push_back({.work = {group.work.element, {}}, .name = group.name});
+    }
+    for (std::size_t k = 0; k < strokes.size(); ++k)
+        into[static_cast<std::size_t>(first + runs[k])].work.strokes.push_back(strokes[k]);
     into.back().area = group.area;
     return parts;
 }
 
 }  // namespace
 
-Parted parted(const Job& job) {
+Parted parted(const Job& job, double near) {
     Parted answer;
     std::vector<Parts> parts;
     std::vector<char> tied(job.groups.size(), 0);
     for (const Tie& tie : job.ties)
         tied[static_cast<std::size_t>(tie.a)] = tied[static_cast<std::size_t>(tie.b)] = 1;
     for (std::size_t g = 0; g < job.groups.size(); ++g) {
-        parts.push_back(take_apart(job.groups[g], tied[g] != 0, answer.job.groups, answer.job.before));
+        parts.push_back(take_apart(job.groups[g], tied[g] != 0, near, answer.job.groups, answer.job.before));
         answer.group_of.resize(answer.job.groups.size(), static_cast<int>(g));
     }
     const auto of = [&](int group) -> const Parts& { return parts[static_cast<std::size_t>(group)]; };

@@ -10,9 +10,10 @@ struct Parted {
     std::vector<int> group_of;  ///< by group of that job: the group of the job given
     std::vector<int> shape_of;  ///< by shape of that job: the shape of the job given
 };
-/// Each stroke of a group that has pairs in `before`, and is tied to none, becomes a group; wishes for the
-/// whole hold for its parts, and its area is finished with its last stroke. O(strokes + wishes for them).
-Parted parted(const Job& job);
+/// Strokes of a group that has pairs in `before`, and is tied to none, become groups of their own, those
+/// together that follow each other within `near` metres; wishes for the whole hold for its parts, and its
+/// area is finished with its last stroke. O(strokes + wishes for them).
+Parted parted(const Job& job, double near);
 
 /// What holds for the parts, said of the job given: variants and shapes.
 void put_together(Ordered& answer, const Parted& parted, const Job& job);
