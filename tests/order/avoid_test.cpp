@@ -71,6 +71,13 @@ Job line_square_line() {
     return job;
 }
 
+Job three_rows() {
+    return {{line_group(0, {0, 0}, {3, 0}), line_group(1, {0, 6}, {3, 6}), line_group(2, {0, 3}, {3, 3})},
+            {},
+            {},
+            {}};
+}
+
 TEST(Avoid, ConnectionsGoRoundFinishedAreas) {
     const Robot robot = *builtin_robot("beachbot");
     const Job job = line_square_line();
@@ -156,6 +163,49 @@ TEST(Avoid, BatchesStayTogetherAndInOrder) {
     const auto answer = ordered(job, robot, options_for(robot, true));
     ASSERT_TRUE(answer);
     for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(answer->strokes[k].element % 2, k < 6 ? 1 : 0);
+}
+
+TEST(Avoid, KeepOutsAndTheFieldHoldWhateverElseIsAvoided) {
+    const Robot robot = *builtin_robot("beachbot");
+    const Region rock{{{3.5, -1}, {4.5, -1}, {4.5, 3}, {3.5, 3}}, {}};
+    for (const bool avoid : {true, false})
+        for (const bool kept : {true, false}) {
+            Job job{{line_group(0, {0, 1}, {2, 1}), line_group(1, {6, 1}, {8, 1})}, {{0, 1}}, {}, {}};
+            // the field leaves room on one side only
+            if (kept) {
+                job.keep_out = {rock};
+                job.field = Region{{{-3, -1.5}, {11, -1.5}, {11, 6}, {-3, 6}}, {}};
+            }
+            const auto answer = ordered(job, robot, options_for(robot, avoid));
+            ASSERT_TRUE(answer);
+            const Curve& curve = answer->connections.at(0).curve;
+            EXPECT_EQ(metres_within(curve, rock) == 0, kept);
+            for (const CurvePoint& point : sampled(curve, 0.02)) EXPECT_GT(point.pose.at.y, -1.3);
+            EXPECT_TRUE(answer->blemishes.empty());
+        }
+}
+
+TEST(Avoid, TheDriveBeginsWhereItIsParkedAndEndsAtTheCheapestExit) {
+    const Robot robot = *builtin_robot("beachbot");
+    Job job = three_rows();
+    job.parked = Pose{{-3, 0}, 1};
+    job.exits = {{{9, 9}, 0}, {{-4, 7}, pi}, {{20, 20}, 0}};
+    const auto answer = ordered(job, robot, options_for(robot, true));
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->legs.front().path.front().pose, *job.parked);
+    const Pose last = answer->legs.back().path.back().pose;
+    double nearest = 1;
+    for (const Pose& exit : job.exits)
+        nearest =
+            std::min(nearest, distance(exit.at, last.at) + std::abs(wrap_angle(exit.heading - last.heading)));
+    EXPECT_LT(nearest, 1e-6);
+    EXPECT_LT(last.at.x, 15);
+    ASSERT_EQ(answer->connections.size(), 4u);
+    EXPECT_EQ(answer->connections.front().from, -1);
+    EXPECT_EQ(answer->connections.back().to, -1);
+    for (std::size_t i = 1; i < answer->legs.size(); ++i)
+        EXPECT_LT(distance(answer->legs[i - 1].path.back().pose.at, answer->legs[i].path.front().pose.at),
+                  1e-6);
 }
 
 TEST(Avoid, TheSameJobGivesTheSameDrive) {
