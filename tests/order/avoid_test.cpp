@@ -2,6 +2,7 @@
 // worth.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "path/order/order.hpp"
@@ -183,6 +184,51 @@ TEST(Avoid, KeepOutsAndTheFieldHoldWhateverElseIsAvoided) {
             for (const CurvePoint& point : sampled(curve, 0.02)) EXPECT_GT(point.pose.at.y, -1.3);
             EXPECT_TRUE(answer->blemishes.empty());
         }
+}
+
+TEST(Avoid, KeepOutsThatNoLineIsNearAreNeverEntered) {
+    const Robot robot = *builtin_robot("beachbot");
+    std::mt19937_64 random(11);
+    const auto uniform = [&](double high) { return high * static_cast<double>(random() >> 11) * 0x1p-53; };
+    int without = 0;
+    for (int round = 0; round < 6; ++round) {
+        Job job;
+        for (int i = 0; i < 8; ++i) {
+            const Point a{uniform(10), uniform(10)};
+            job.groups.push_back(line_group(i, a, a + (1 + uniform(2)) * unit(uniform(2 * pi))));
+        }
+        while (job.keep_out.size() < 5) {
+            const Point low{uniform(10), uniform(10)};
+            const double side = 0.4 + uniform(1.2);
+            const Region square{{low, low + Point{side, 0}, low + Point{side, side}, low + Point{0, side}},
+                                {}};
+            const Box near = grown(bounds(square), footprint_reach(robot) + robot.rake_offset + 0.02);
+            const auto apart = [&](const Group& group) {
+                const std::vector<CurvePoint> points = sampled(group.work.strokes[0].rake_path[0], 0.05);
+                return std::ranges::none_of(points,
+                                            [&](const CurvePoint& p) { return contains(near, p.pose.at); });
+            };
+            if (std::ranges::all_of(job.groups, apart) &&
+                std::ranges::none_of(job.keep_out, [&](const Region& other) {
+                    return overlaps(bounds(other), bounds(square));
+                }))
+                job.keep_out.push_back(square);
+        }
+        const auto entered = [&](const Job& asked) {
+            const auto answer = ordered(asked, robot, options_for(robot, round % 2 == 0));
+            int count = 0;
+            for (const Connection& c : answer->connections)
+                for (const CurvePoint& p : sampled(c.curve, 0.01))
+                    for (const Region& region : job.keep_out)
+                        count += !keeps_off(robot, p.pose.at, p.pose.heading, region);
+            return count;
+        };
+        EXPECT_EQ(entered(job), 0) << round;
+        Job free = job;
+        free.keep_out.clear();
+        without += entered(free);
+    }
+    EXPECT_GT(without, 100) << "or the test shows nothing";
 }
 
 TEST(Avoid, TheDriveBeginsWhereItIsParkedAndEndsAtTheCheapestExit) {
