@@ -100,8 +100,8 @@ void measure_ends(Plan& plan) {
         return sum;
     };
     if (first == samples.end()) return;
-    f.in_driven = driven(samples.begin(), first + 1);
-    f.out_driven = driven(last, samples.end());
+    if (plan.options.park.parked) f.in_driven = driven(samples.begin(), first + 1);
+    if (plan.options.park.exit != "none") f.out_driven = driven(last, samples.end());
 }
 
 }  // namespace
