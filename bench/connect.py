@@ -130,7 +130,25 @@ def obstacles(program, binary, folder, worlds=40, a_world=10):
           ["pairs", "sigma R^2", "clear ways", "of them with a violation", "length / Dubins p50", "p95", "CPU ms a pair"], rows)
 
 
+def tours(program, shared, folder, seeds=20):
+    rows = []
+    for name in ("lion_example", "floral_patterns"):
+        drawing = shared / "drawings" / f"{name}.svg"
+        if not drawing.is_file(): continue
+        figures = []
+        for seed in range(1, seeds + 1):
+            code, out, err, cpu, _ = run([program, "plan", drawing, "--avoid", "off", "--set", f"tour.seed={seed}", "-o", folder / "plan.json", "-q", "--json"])
+            assert code == 0, err
+            figures.append((json.loads(out), cpu))
+        first, best = figures[0][0], min(f["up_dubins"] for f, _ in figures)
+        rows.append([name, f"{first['up_driven']:.2f}", f"{first['up_dubins']:.2f}", f"{best:.2f}", f"{first['up_driven'] / best:.3f}",
+                     f"{min(f['up_driven'] for f, _ in figures):.2f}", f"{statistics.mean(cpu for _, cpu in figures):.2f}"])
+    table(f"Connect: rake up as driven (--avoid off, beachbot) beside the best Dubins tour of {seeds} seeds",
+          ["drawing", "driven m, seed 1", "Dubins of its order", "best Dubins tour", "driven / best", "least driven", "CPU s a plan"], rows)
+
+
 def report(program, shared, folder, n):
+    tours(program, shared, folder)
     judge = shared / "judge/curves/checkcurves.cpp"
     if not judge.is_file():
         return print("\nConnect: the judge is not at hand; left out (tests/connect holds the laws).")

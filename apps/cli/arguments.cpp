@@ -113,4 +113,23 @@ Outcome<void> set_drive_end(Options& options, const std::string& which, const st
     return set(options, "tour." + which + "_y", text.substr(comma + 1));
 }
 
+Outcome<void> set_pose(Options& options, const std::string& prefix, const std::string& option,
+                       const std::string& text) {
+    const std::size_t first = text.find(','), second = text.find(',', std::min(first, text.size() - 1) + 1);
+    if (first == std::string::npos)
+        return fail(option + " " + text, "is not X,Y or X,Y,HEADING",
+                    "write for example " + option + " -1m,2m,90deg");
+    auto done = set(options, prefix + "x", text.substr(0, first));
+    if (done)
+        done = set(options, prefix + "y",
+                   text.substr(first + 1, second == std::string::npos ? second : second - first - 1));
+    if (done && second != std::string::npos) done = set(options, prefix + "heading", text.substr(second + 1));
+    return done;
+}
+
+Outcome<void> set_exit(Options& options, const std::string& text) {
+    if (text.find(',') == std::string::npos) return set(options, "park.exit", text);
+    return set_pose(options, "park.exit_", "--exit", text);
+}
+
 }  // namespace strandline::cli

@@ -30,6 +30,11 @@ Outcome<Edit> parse_direction(const std::string& text);
 Outcome<void> set_place(Options& options, const std::string& text);
 /// "14mx10m", "20x10", "A4".
 Outcome<void> set_canvas(Options& options, const std::string& text);
+/// "X,Y" or "X,Y,HEADING" as settings whose names begin with `prefix`: "park." or "park.exit_".
+Outcome<void> set_pose(Options& options, const std::string& prefix, const std::string& option,
+                       const std::string& text);
+/// "outside", "parked", or a pose.
+Outcome<void> set_exit(Options& options, const std::string& text);
 Outcome<void> set_drive_end(Options& options, const std::string& which, const std::string& text);
 
 }  // namespace strandline::cli

@@ -38,6 +38,8 @@ int text(const TextArguments& arguments, const Common& common);
 struct PlanArguments {
     LetteringArguments lettering;  ///< of --text, in the place of a drawing
     std::string input, output = "-", robot, config, canvas, place, margin, dpi, start, end;
+    std::string border, park, exit;
+    std::vector<std::string> keep_outs;
     std::vector<std::string> settings;    ///< key=value, also robot.field=value
     std::vector<std::string> links;       ///< A:V=B:W
     std::vector<std::string> entries;     ///< A:V

@@ -101,7 +101,8 @@ int fill(const FillArguments& arguments, const Common& common) {
         if (!robot) return complain(robot.error(), bad_call);
         // The rake's own path may turn as tightly as the offset allows; a machine without an offset turns on
         // the spot.
-        options.turn_radius = robot->min_radius > 0 ? 1.1 * robot->rake_offset : 0;
+        options.turn_radius =
+            robot->min_radius > 0 ? 1.1 * std::hypot(robot->rake_offset, robot->rake_side) : 0;
         options.pins = robot->pins;
     } else {
         options.rake_turns = false;  // may lift, pivot and back up for nothing

@@ -87,6 +87,12 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->add_option("--dpi", a.dpi, "px to the inch in the SVG, for --place actual; default 96");
     plan->add_option("--start", a.start, "X,Y: begin near this point (metres, origin lower left)");
     plan->add_option("--end", a.end, "X,Y: end near this point");
+    plan->add_option("--park", a.park, "X,Y,HEADING: the robot is parked there, and the drive begins there");
+    plan->add_option("--exit", a.exit, "parked | outside | X,Y,HEADING: where the drive ends");
+    plan->add_option("--border", a.border,
+                     "\"X,Y X,Y X,Y\": where the robot may drive; default: the canvas and canvas.run_out");
+    plan->add_option("--keep-out", a.keep_outs,
+                     "\"X,Y X,Y X,Y\": where the robot must not go; may be repeated");
     plan->add_option("--link", a.links, "A:V=B:W: drive from node V of element A to node W of element B");
     plan->add_option("--entry", a.entries, "A:V: enter element A at its node V (-1: its last)");
     plan->add_option("--direction", a.directions, "A=forward|backward for lines, A=ccw|cw for closed ones");
@@ -100,6 +106,7 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
   strandline plan card.svg --robot plotter --canvas A5 --margin 10mm -o card.json
   strandline plan eye.svg --link iris:0=lid:-1 --direction lid=backward -o eye.json
   strandline plan --text "Hello\nbeach" --font scripts --height 1m -o hello.json
+  strandline plan sun.svg --keep-out "3,3 5,3 5,6" --park 0,0,90deg --exit outside -o sun.json
   strandline plan photo.jpg --set trace.despeckle=50 -o photo.json
   cat drawing.svg | strandline plan - | strandline check -)");
     plan->callback([&] { chosen = [&] { return cli::plan(a, common); }; });

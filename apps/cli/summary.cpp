@@ -55,6 +55,9 @@ std::string summary(const Plan& plan, const check::Report& report) {
         fmt::format("{:.2f} m straight / {:.2f} m Dubins bound / {:.2f} m driven{}", f.up_straight,
                     f.up_dubins, f.up_driven,
                     f.loops_driven > 0 ? fmt::format(" + {:.2f} m in corner loops", f.loops_driven) : ""));
+    if (f.in_driven + f.out_driven > 0)
+        row("in and out", fmt::format("{:.2f} m of that to the first stroke, {:.2f} m from the last one",
+                                      f.in_driven, f.out_driven));
     row("order", std::string(f.tour_proven ? "proven optimal for straight gaps" : "searched") +
                      (f.tour_parts > 0 ? fmt::format(" in {} parts of neighbours, {:.2f} m longer (straight)",
                                                      f.tour_parts, f.tour_longer)

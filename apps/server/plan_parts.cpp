@@ -143,12 +143,22 @@ Part part_of(std::string bytes, std::string type) {
 
 Part drawing_part(const Plan& plan) {
     const Box field = field_of(plan);
+    const DriveArea area = drive_area_of(plan);
+    Json keep_out = Json::array();
+    for (const Region& region : area.keep_out) {
+        Json rings = Json::array();
+        rings.push_back(json_of(region.outer));
+        for (const Polygon& hole : region.holes) rings.push_back(json_of(hole));
+        keep_out.push_back(std::move(rings));
+    }
     Json elements = Json::array();
     for (const Element& element : plan.drawing.elements)
         elements.push_back(json_of(element, plan.options.drawing.tolerance));
     const Canvas& canvas = plan.drawing.canvas;
     return part_of(text_of({{"canvas", {{"width", canvas.width}, {"height", canvas.height}}},
                             {"field", {field.low.x, field.low.y, field.high.x, field.high.y}},
+                            {"border", json_of(area.border.outer)},
+                            {"keep_out", std::move(keep_out)},
                             {"scale", plan.drawing.scale},
                             {"start", plan.drawing.start ? json_of(*plan.drawing.start) : Json()},
                             {"elements", std::move(elements)}}),

@@ -207,6 +207,51 @@ inline Plan drawn_elsewhere(Plan plan) {
     return plan;
 }
 
+/// A keep-out where the longest run of drawing goes, told by the drawing or by the settings.
+inline Polygon on_the_way(const Plan& plan) {
+    const Point at = plan.samples[drawing(plan)].pose.at;
+    return {at + Point{-0.05, -0.05}, at + Point{0.05, -0.05}, at + Point{0.05, 0.05},
+            at + Point{-0.05, 0.05}};
+}
+inline Plan into_a_keep_out(Plan plan) {
+    plan.drawing.keep_out.push_back({on_the_way(plan), {}});
+    return plan;
+}
+inline Plan into_a_keep_out_of_the_settings(Plan plan) {
+    for (const Point p : on_the_way(plan))
+        plan.options.field.keep_out += std::to_string(p.x) + "," + std::to_string(p.y) + " ";
+    return plan;
+}
+/// A field of which a slit is cut out, thinner than the robot.
+inline Plan over_a_dent_of_the_border(Plan plan) {
+    const Point at = plan.samples[drawing(plan)].pose.at;
+    const double far = 1000;
+    plan.drawing.border = Region{{{-far, -far},
+                                  {at.x - 0.01, -far},
+                                  {at.x, at.y},
+                                  {at.x + 0.01, -far},
+                                  {far, -far},
+                                  {far, far},
+                                  {-far, far}},
+                                 {}};
+    return plan;
+}
+inline Plan parked_elsewhere(Plan plan) {
+    plan.options.park = {.parked = true,
+                         .x = plan.samples.front().pose.at.x + 0.1,
+                         .y = plan.samples.front().pose.at.y,
+                         .heading = plan.samples.front().pose.heading};
+    return plan;
+}
+inline Plan not_at_the_exit(Plan plan) {
+    const Pose last = plan.samples.back().pose;
+    plan.options.park.exit = "pose";
+    plan.options.park.exit_x = last.at.x;
+    plan.options.park.exit_y = last.at.y;
+    plan.options.park.exit_heading = last.heading + 0.1;
+    return plan;
+}
+
 /// The twelve of the contract. A robot without limits on its turning (min_radius 0) has no curvature or
 /// sharpness to break.
 inline std::vector<Mutation> twelve() {
@@ -232,7 +277,12 @@ inline std::vector<Mutation> more() {
             {"too hasty", Law::acceleration, too_hasty},
             {"turns too fast", Law::turn_rate, turns_too_fast},
             {"sparse samples", Law::step, sparse},
-            {"drawn elsewhere", Law::drawn_right, drawn_elsewhere}};
+            {"drawn elsewhere", Law::drawn_right, drawn_elsewhere},
+            {"keep-out", Law::field, into_a_keep_out},
+            {"keep-out of the settings", Law::field, into_a_keep_out_of_the_settings},
+            {"border's dent", Law::field, over_a_dent_of_the_border},
+            {"parked elsewhere", Law::ends, parked_elsewhere},
+            {"not at the exit", Law::ends, not_at_the_exit}};
 }
 
 }  // namespace strandline::mutations

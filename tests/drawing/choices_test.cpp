@@ -117,5 +117,33 @@ TEST(Choices, LinesOfDifferentHintsDoNotJoin) {
     EXPECT_EQ(drawn({first, second}).elements.size(), 2u);
 }
 
+TEST(Choices, FencesAreNotDrawnHideNothingAndDoNotCountForTheSize) {
+    svg::Shape rock = filled({square({80, 80}, 30)}), wall = stroked(line({{0, 50}, {50, 50}}), 2),
+               edge = filled({square({-10, -10}, 120)});
+    rock.hints = wall.hints = {{"field", "keep-out"}};
+    edge.hints = {{"field", "border"}};
+    const std::vector<svg::Shape> art{stroked(line({{0, 0}, {10, 0}})), filled({square({20, 20}, 20)})};
+    const Drawing bare = drawn(art), fenced = drawn({art[0], edge, rock, art[1], wall});
+    EXPECT_EQ(fenced.elements.size(), bare.elements.size());
+    EXPECT_EQ(fenced.to_canvas, bare.to_canvas);
+    ASSERT_EQ(fenced.keep_out.size(), 2u);
+    EXPECT_NEAR(area(fenced.keep_out[0]), 900 * fenced.scale * fenced.scale, 1e-3);
+    EXPECT_NEAR(area(fenced.keep_out[1]), (100 + pi) * fenced.scale * fenced.scale, 0.1);
+    ASSERT_TRUE(fenced.border);
+    EXPECT_NEAR(area(*fenced.border), 120 * 120 * fenced.scale * fenced.scale, 1e-3);
+    EXPECT_TRUE(fenced.warnings.empty());
+}
+
+TEST(Choices, AFenceWithoutAreaOrASecondBorderIsAWarning) {
+    svg::Shape flat = filled({line({{0, 0}, {10, 0}})}), edge = filled({square({0, 0}, 50)});
+    flat.hints = {{"field", "keep-out"}};
+    edge.hints = {{"field", "border"}};
+    const Drawing drawing = drawn({stroked(line({{0, 0}, {10, 0}})), flat, edge, edge});
+    EXPECT_TRUE(drawing.keep_out.empty());
+    ASSERT_EQ(drawing.warnings.size(), 2u);
+    EXPECT_NE(drawing.warnings[0].reason.find("without area"), std::string::npos);
+    EXPECT_NE(drawing.warnings[1].reason.find("second border"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace strandline

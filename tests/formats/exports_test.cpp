@@ -154,7 +154,8 @@ TEST(PlanSvg, DrawsGroovesAtTrueWidthAndEverythingWithYDown) {
     EXPECT_EQ(count(svg, "<path stroke-width=\"6.00\""), 1U);
     for (const char* part :
          {"stroke-linecap=\"butt\"", "<title id=\"title\">two lines and a &quot;door&quot; &lt;é>",
-          "<desc id=\"desc\">", "id=\"rake-up\"", "id=\"arrows\"", "id=\"legend\"", "<circle", ">1 m<"})
+          "<desc id=\"desc\">", "id=\"rake-up\"", "id=\"arrows\"", "id=\"legend\"", "<circle", ">2 m<",
+          "id=\"field\""})
         EXPECT_EQ(count(svg, part) > 0, true) << part;
     EXPECT_EQ(svg, formats::write_svg(sample_plan()));
     // Line 1 lies a metre higher on the canvas than line 0: further up in the picture is a smaller y.

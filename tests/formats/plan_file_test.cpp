@@ -96,8 +96,10 @@ Plan any_plan(std::uint64_t seed) {
         else if (auto* const* flag = std::get_if<bool*>(&field))
             **flag = random() % 2;
         else if (auto* const* word = std::get_if<std::string*>(&field))
-            **word = setting.kind == Setting::Kind::text ? "id=" + std::to_string(random() % 100) + ": tool=2"
-                                                         : setting.choices[random() % setting.choices.size()];
+            **word = setting.kind != Setting::Kind::text ? setting.choices[random() % setting.choices.size()]
+                     : setting.key.starts_with("field.")
+                         ? "0,0 2,0 1," + std::to_string(1 + random() % 100)
+                         : "id=" + std::to_string(random() % 100) + ": tool=2";
     }
     return plan;
 }

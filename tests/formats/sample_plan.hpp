@@ -87,6 +87,8 @@ inline Plan sample_plan() {
     drawing.scale_denominator = 50;
     drawing.to_canvas = {0.01, 0, 0, -0.01, 0, 10};
     drawing.start = Point{2, 2};
+    drawing.border = Region{{{-2, -2}, {12, -2}, {12, 12}, {-2, 12}}, {}};
+    drawing.keep_out = {{{{8, 8}, {9, 8}, {9, 9}, {8, 9}}, {{{8.25, 8.25}, {8.25, 8.5}, {8.5, 8.5}}}}};
     drawing.counts.shapes = 3;
     drawing.warnings = {{"line 7, <text>", "text is not drawn"}};
     drawing.elements = {{"first", "lines", LineElement{path_through({{2, 2}, {6, 2}}, false), 1}, -1},

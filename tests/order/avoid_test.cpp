@@ -2,6 +2,7 @@
 // worth.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "path/order/order.hpp"
@@ -69,6 +70,13 @@ Job line_square_line() {
             {},
             {}};
     return job;
+}
+
+Job three_rows() {
+    return {{line_group(0, {0, 0}, {3, 0}), line_group(1, {0, 6}, {3, 6}), line_group(2, {0, 3}, {3, 3})},
+            {},
+            {},
+            {}};
 }
 
 TEST(Avoid, ConnectionsGoRoundFinishedAreas) {
@@ -156,6 +164,94 @@ TEST(Avoid, BatchesStayTogetherAndInOrder) {
     const auto answer = ordered(job, robot, options_for(robot, true));
     ASSERT_TRUE(answer);
     for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(answer->strokes[k].element % 2, k < 6 ? 1 : 0);
+}
+
+TEST(Avoid, KeepOutsAndTheFieldHoldWhateverElseIsAvoided) {
+    const Robot robot = *builtin_robot("beachbot");
+    const Region rock{{{3.5, -1}, {4.5, -1}, {4.5, 3}, {3.5, 3}}, {}};
+    for (const bool avoid : {true, false})
+        for (const bool kept : {true, false}) {
+            Job job{{line_group(0, {0, 1}, {2, 1}), line_group(1, {6, 1}, {8, 1})}, {{0, 1}}, {}, {}};
+            // the field leaves room on one side only
+            if (kept) {
+                job.keep_out = {rock};
+                job.field = Region{{{-3, -1.5}, {11, -1.5}, {11, 6}, {-3, 6}}, {}};
+            }
+            const auto answer = ordered(job, robot, options_for(robot, avoid));
+            ASSERT_TRUE(answer);
+            const Curve& curve = answer->connections.at(0).curve;
+            EXPECT_EQ(metres_within(curve, rock) == 0, kept);
+            for (const CurvePoint& point : sampled(curve, 0.02)) EXPECT_GT(point.pose.at.y, -1.3);
+            EXPECT_TRUE(answer->blemishes.empty());
+        }
+}
+
+TEST(Avoid, KeepOutsThatNoLineIsNearAreNeverEntered) {
+    const Robot robot = *builtin_robot("beachbot");
+    std::mt19937_64 random(11);
+    const auto uniform = [&](double high) { return high * static_cast<double>(random() >> 11) * 0x1p-53; };
+    int without = 0;
+    for (int round = 0; round < 6; ++round) {
+        Job job;
+        for (int i = 0; i < 8; ++i) {
+            const Point a{uniform(10), uniform(10)};
+            job.groups.push_back(line_group(i, a, a + (1 + uniform(2)) * unit(uniform(2 * pi))));
+        }
+        while (job.keep_out.size() < 5) {
+            const Point low{uniform(10), uniform(10)};
+            const double side = 0.4 + uniform(1.2);
+            const Region square{{low, low + Point{side, 0}, low + Point{side, side}, low + Point{0, side}},
+                                {}};
+            const Box near = grown(bounds(square), footprint_reach(robot) + robot.rake_offset + 0.02);
+            const auto apart = [&](const Group& group) {
+                const std::vector<CurvePoint> points = sampled(group.work.strokes[0].rake_path[0], 0.05);
+                return std::ranges::none_of(points,
+                                            [&](const CurvePoint& p) { return contains(near, p.pose.at); });
+            };
+            if (std::ranges::all_of(job.groups, apart) &&
+                std::ranges::none_of(job.keep_out, [&](const Region& other) {
+                    return overlaps(bounds(other), bounds(square));
+                }))
+                job.keep_out.push_back(square);
+        }
+        const auto entered = [&](const Job& asked) {
+            const auto answer = ordered(asked, robot, options_for(robot, round % 2 == 0));
+            int count = 0;
+            for (const Connection& c : answer->connections)
+                for (const CurvePoint& p : sampled(c.curve, 0.01))
+                    for (const Region& region : job.keep_out)
+                        count += !keeps_off(robot, p.pose.at, p.pose.heading, region);
+            return count;
+        };
+        EXPECT_EQ(entered(job), 0) << round;
+        Job free = job;
+        free.keep_out.clear();
+        without += entered(free);
+    }
+    EXPECT_GT(without, 100) << "or the test shows nothing";
+}
+
+TEST(Avoid, TheDriveBeginsWhereItIsParkedAndEndsAtTheCheapestExit) {
+    const Robot robot = *builtin_robot("beachbot");
+    Job job = three_rows();
+    job.parked = Pose{{-3, 0}, 1};
+    job.exits = {{{9, 9}, 0}, {{-4, 7}, pi}, {{20, 20}, 0}};
+    const auto answer = ordered(job, robot, options_for(robot, true));
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->legs.front().path.front().pose, *job.parked);
+    const Pose last = answer->legs.back().path.back().pose;
+    double nearest = 1;
+    for (const Pose& exit : job.exits)
+        nearest =
+            std::min(nearest, distance(exit.at, last.at) + std::abs(wrap_angle(exit.heading - last.heading)));
+    EXPECT_LT(nearest, 1e-6);
+    EXPECT_LT(last.at.x, 15);
+    ASSERT_EQ(answer->connections.size(), 4u);
+    EXPECT_EQ(answer->connections.front().from, -1);
+    EXPECT_EQ(answer->connections.back().to, -1);
+    for (std::size_t i = 1; i < answer->legs.size(); ++i)
+        EXPECT_LT(distance(answer->legs[i - 1].path.back().pose.at, answer->legs[i].path.front().pose.at),
+                  1e-6);
 }
 
 TEST(Avoid, TheSameJobGivesTheSameDrive) {

@@ -144,6 +144,23 @@ TEST_F(ApiTest, BareSandIsNoPlanUntilSomethingIsDrawn) {
     EXPECT_FALSE(settled(id)["failure"].is_null());
 }
 
+TEST_F(ApiTest, KeepOutsAndTheBorderAreSetAndShown) {
+    const std::string id = begin();
+    settled(id);
+    const std::string edits = "projects/" + id + "/edits", drawing = "projects/" + id + "/plan/drawing";
+    EXPECT_EQ(ask("GET", drawing)["keep_out"], Json::array());
+    EXPECT_EQ(ask("GET", drawing)["border"].size(), 8u);
+    ask("POST", edits, edit(1, R"({"set":"field.keep_out","value":"0,0 1,0 1,1; 5,5 6,5 6,6 5,6"})"));
+    ask("POST", edits, edit(2, R"({"set":"field.border","value":"-3,-3 20,-3 20,20"})"));
+    EXPECT_TRUE(settled(id)["failure"].is_null());
+    EXPECT_EQ(ask("GET", drawing)["keep_out"], Json::parse("[[[0,0,1,0,1,1]],[[5,5,6,5,6,6,5,6]]]"));
+    EXPECT_EQ(ask("GET", drawing)["border"], Json::parse("[-3,-3,20,-3,20,20]"));
+    ask("POST", edits, edit(3, R"({"set":"field.keep_out","value":"0,0 1,0"})"), 422);
+    ask("POST", edits, edit(3, R"({"set":"park.exit","value":"parked"})"), 422);
+    ask("POST", edits, edit(3, R"({"set":"park.x","value":"1"})"));
+    EXPECT_TRUE(settled(id)["failure"].is_null());
+}
+
 TEST_F(ApiTest, APartThatIsKnownIsNotSentAgain) {
     const std::string id = begin();
     const Json before = settled(id)["plan"];

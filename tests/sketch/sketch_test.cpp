@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "formats/sample_plan.hpp"
@@ -57,7 +58,25 @@ TEST(Sketch, TheViewHoldsAllThatIsDrawnAndTheLegendBelowIt) {
         EXPECT_TRUE(contains(sketch.view, item.text_at)) << item.text;
         EXPECT_LT(item.at.y, sketch.canvas.low.y) << item.text;
     }
-    EXPECT_EQ(sketch.legend.back().text, "2 m");
+    EXPECT_TRUE(std::ranges::any_of(sketch.legend, [](const auto& item) { return item.text == "2 m"; }));
+}
+
+TEST(Sketch, KeepOutsAndABorderAreShownWithSignsThatFitTheLegend) {
+    Plan plan = sample_plan();
+    const auto sketch = sketch::sketched(plan);
+    EXPECT_EQ(sketch.keep_outs, plan.drawing.keep_out);
+    EXPECT_EQ(sketch.border, plan.drawing.border->outer);
+    EXPECT_TRUE(contains(sketch.view, {-2, -2}) && contains(sketch.view, {12, 12}));
+    constexpr double letter = 0.5;  // em
+    for (const auto& item : sketch.legend)
+        EXPECT_LT(item.text_at.x + letter * sketch.em * static_cast<double>(item.text.size()),
+                  sketch.view.high.x)
+            << item.text;
+    plan.drawing.border.reset();
+    plan.drawing.keep_out = {{{{500, 0}, {501, 0}, {501, 1}}, {}}};
+    const auto plain = sketch::sketched(plan);
+    EXPECT_TRUE(plain.border.empty()) << "the canvas and its run-out are not shown";
+    EXPECT_FALSE(contains(plain.view, {500, 0})) << "what lies far away is not";
 }
 
 TEST(Sketch, ACanvasWithoutExtentIsNotDrawable) {

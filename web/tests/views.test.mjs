@@ -156,3 +156,34 @@ test('a value that cannot be is refused in words, and nothing changes', async ()
   await page.locator('.hint.notice').filter({ hasText: 'canvas.width' }).waitFor()
   assert.equal((await standing(page)).revision, revision)
 })
+
+test('keep-outs are shown; with a drive in and out the shape tool still finds its connections', async () => {
+  await set({ look: 'outline', connections: 'shown' })
+  const before = await pixels()
+  const changes = [
+    { set: 'field.keep_out', value: '0.2,0.2 1.2,0.2 0.7,1.2' },
+    { set: 'park.x', value: '0' },
+    { set: 'park.exit', value: 'outside' },
+  ]
+  await edited(page, () =>
+    page.evaluate(async (wanted) => {
+      const { standing } = window.strandline.session.now
+      const id = new URL(location.href).searchParams.get('project')
+      const body = JSON.stringify({ revision: standing.revision, what: 'the field', changes: wanted })
+      const reply = await fetch(`/api/v1/projects/${id}/edits`, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body })
+      if (!reply.ok) throw new Error(await reply.text())
+    }, changes),
+  )
+  await page.waitForTimeout(200)
+  const drive = await page.evaluate(() => window.strandline.session.now.drive)
+  assert.equal(drive.connections[0].from, -1)
+  assert.equal(drive.connections.at(-1).to, -1)
+  assert.ok(drive.figures.in_driven > 0 && drive.figures.out_driven > 0)
+  assert.notEqual(await pixels(), before)
+  await picture('field')
+  await page.keyboard.press('h')
+  const p = await at(page, 7, 7)
+  await page.mouse.move(p.x, p.y)
+  await page.keyboard.press('Escape')
+  assert.deepEqual(page.faults, [])
+})

@@ -10,6 +10,7 @@ namespace strandline::drawing_parts {
 namespace {
 
 constexpr char left_out = '%', pause = '!';
+constexpr std::string_view keep_out_layer = "keep-out";
 
 std::string hex(svg::Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
 
@@ -54,6 +55,14 @@ bool Choices::chosen(const svg::Shape& shape) const {
     return std::ranges::any_of(options_.layers, [&](const std::string& wanted) {
         return std::ranges::any_of(names, [&](const std::string& name) { return matches(wanted, name); });
     });
+}
+
+std::string Choices::fence_of(const svg::Shape& shape) const {
+    const std::vector<std::string> names = layers_of(shape);
+    if (std::ranges::any_of(names, is_left_out)) return {};
+    const std::vector<svg::Hint> hints = hints_of(shape);
+    if (const std::string* asked = value_of(hints, "field")) return *asked;
+    return std::ranges::find(names, keep_out_layer) != names.end() ? "keep-out" : "";
 }
 
 bool Choices::applies(const InkRule& rule, const svg::Shape& shape) const {

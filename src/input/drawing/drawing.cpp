@@ -68,6 +68,7 @@ Outcome<Drawing> make_drawing(const svg::Document& document, const Robot& robot,
     drawing.warnings.insert(drawing.warnings.end(), placement->warnings.begin(), placement->warnings.end());
     if (ink->start) drawing.start = apply(drawing.to_canvas, *ink->start);
 
+    place_fences(drawing, ink->fences, *placement, options.tolerance);
     drawing.elements =
         elements_of(ink->shapes, *placement, robot, options, drawing.counts, drawing.warnings, progress);
     // Doubled lines would meet in four ends; and two halves may join into what is there already.

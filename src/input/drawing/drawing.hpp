@@ -98,7 +98,9 @@ struct Drawing {
     std::optional<double> scale_denominator;  ///< 1 : this, against the SVG's physical size, where it has one
     Affine to_canvas;                         ///< user units -> metres
     std::vector<Element> elements;
-    std::optional<Point> start;  ///< from a stroke of #00ff00: its first point
+    std::optional<Point> start;    ///< from a stroke of #00ff00: its first point
+    std::optional<Region> border;  ///< of the hint field=border: where the robot may drive
+    Regions keep_out;              ///< of the hint field=keep-out: where it must not
     DrawingCounts counts;
     Warnings warnings;
     bool operator==(const Drawing&) const = default;

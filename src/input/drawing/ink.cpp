@@ -123,6 +123,10 @@ Outcome<Ink> ink_of(const svg::Document& document, const Robot& robot, const Dra
     std::string pause_before;
     for (const svg::Shape& shape : document.shapes) {
         if (shape.subpaths.empty()) continue;
+        if (const std::string fence = choices.fence_of(shape); !fence.empty()) {
+            ink.fences.push_back({&shape, fence == "border"});
+            continue;
+        }
         if (!choices.chosen(shape)) {
             ++ink.unchosen;
             continue;

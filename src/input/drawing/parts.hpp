@@ -22,10 +22,17 @@ struct Inked {
     bool drawn() const { return fill || stroke; }
 };
 
+/// A shape that is not drawn: it says where the robot may drive, or must not.
+struct Fence {
+    const svg::Shape* shape;
+    bool border;  ///< else a keep-out
+};
+
 /// What of the document is ink, and what hides ink (no ground shows through it; only with occlusion on); bare
 /// paint is counted, the start mark (stroke #00ff00) taken out. Order kept.
 struct Ink {
     std::vector<Inked> shapes;
+    std::vector<Fence> fences;
     std::optional<Point> start;  ///< user units
     int bare = 0, unchosen = 0;
     Warnings warnings;
@@ -45,6 +52,9 @@ class Choices {
     bool applies(const InkRule& rule, const svg::Shape& shape) const;
     /// Sorted by name, each name once.
     std::vector<svg::Hint> hints_of(const svg::Shape& shape) const;
+    /// "border" or "keep-out" by the hint field, or by the name of a layer round it; "": it is to be drawn.
+    /// Whatever layers are drawn, but for those that are never.
+    std::string fence_of(const svg::Shape& shape) const;
 
   private:
     /// Of the innermost layer outwards.
@@ -65,6 +75,11 @@ struct Placement {
 };
 Outcome<Placement> placed(const svg::Document& document, const std::vector<Inked>& shapes, const Robot& robot,
                           const DrawingOptions& options);
+
+/// What the border and the keep-outs come to on the canvas. Warnings: those that bound no area, a second
+/// border.
+void place_fences(Drawing& drawing, const std::vector<Fence>& fences, const Placement& placement,
+                  double tolerance);
 
 /// A line of a shape, or what is left of it.
 struct InkLine {

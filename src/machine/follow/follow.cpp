@@ -1,5 +1,6 @@
 // The backward pass. Notation: phi tangent of the rake path, theta heading of the robot, delta = theta - phi,
-// k curvature of the rake path, L rake offset, s arc length of the rake, z arc length of the robot.
+// k curvature of the rake path, L rake offset, w rake side, s arc length of the rake, z arc length of the
+// robot.
 #include "machine/follow/follow.hpp"
 
 #include <algorithm>
@@ -21,6 +22,8 @@ constexpr double most_substeps = 300;
 // metre of rake.
 constexpr double heading_drift = 2e-5;
 constexpr double most_parts = 64;
+// Radians short of where a robot with its rake beside it would stand: there its curvature has no bound.
+constexpr double rolling_margin = 0.02;
 
 /// delta, and the robot's arc length from here to the place before.
 struct Carried {
@@ -28,11 +31,12 @@ struct Carried {
 };
 
 /// One step of the rake back over a stretch of length h where its curvature runs from k_here to k_next.
-Carried carried_back(double delta, double offset, double h, double k_here, double k_next) {
+Carried carried_back(double delta, const Robot& robot, double h, double k_here, double k_next) {
+    const double offset = robot.rake_offset;
     const double substeps = std::ceil(h / (stiffest_step * offset));
     if (substeps > most_substeps) {
         const double steady = std::asin(std::clamp(k_here * offset, -1.0, 1.0));
-        return {steady, h * std::cos((steady + delta) / 2)};
+        return {steady, h * rolled(robot, (steady + delta) / 2)};
     }
     const double g = -h / substeps;
     const auto slope = [&](double s, double d) {
@@ -44,7 +48,8 @@ Carried carried_back(double delta, double offset, double h, double k_here, doubl
         const double d2 = delta + g / 2 * k1, k2 = slope(s + g / 2, d2);
         const double d3 = delta + g / 2 * k2, k3 = slope(s + g / 2, d3);
         const double d4 = delta + g * k3, k4 = slope(s + g, d4);
-        length -= g / 6 * (std::cos(delta) + 2 * std::cos(d2) + 2 * std::cos(d3) + std::cos(d4));
+        length -= g / 6 *
+                  (rolled(robot, delta) + 2 * rolled(robot, d2) + 2 * rolled(robot, d3) + rolled(robot, d4));
         delta += g / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     }
     return {delta, length};
@@ -55,14 +60,15 @@ struct Stretch {
     std::vector<Carried> parts;
     double heading_error = 0;  ///< of a robot that takes its curvature as linear between the parts (rad)
 };
-Stretch stretch_back(double delta, double offset, const RakeNode& here, double count) {
+Stretch stretch_back(double delta, const Robot& robot, const RakeNode& here, double count) {
     Stretch stretch;
     const double h = here.step / count, slope = (here.next_curvature - here.curvature) / here.step;
     for (double i = count; i-- > 0;) {
         const double k0 = here.curvature + slope * i * h, k1 = k0 + slope * h;
-        const Carried back = carried_back(delta, offset, h, k0, k1);
+        const Carried back = carried_back(delta, robot, h, k0, k1);
         const double turned = h * (k0 + k1) / 2 + delta - back.delta;
-        const double linear = back.robot_step * (std::tan(delta) + std::tan(back.delta)) / (2 * offset);
+        const double linear =
+            back.robot_step * (robot_curvature(robot, delta) + robot_curvature(robot, back.delta)) / 2;
         stretch.heading_error += std::abs(turned - linear);
         stretch.parts.push_back(back);
         delta = back.delta;
@@ -71,11 +77,11 @@ Stretch stretch_back(double delta, double offset, const RakeNode& here, double c
 }
 
 /// The step in as few parts as keep the heading error small: it falls with the square of their number.
-Stretch fine_stretch_back(double delta, double offset, const RakeNode& here) {
-    Stretch stretch = stretch_back(delta, offset, here, 1);
+Stretch fine_stretch_back(double delta, const Robot& robot, const RakeNode& here) {
+    Stretch stretch = stretch_back(delta, robot, here, 1);
     const double allowed = heading_drift * here.step;
-    if (here.step > offset || stretch.heading_error <= allowed) return stretch;
-    return stretch_back(delta, offset, here,
+    if (here.step > robot.rake_offset || stretch.heading_error <= allowed) return stretch;
+    return stretch_back(delta, robot, here,
                         std::min(most_parts, std::ceil(std::sqrt(stretch.heading_error / allowed))));
 }
 
@@ -90,33 +96,33 @@ struct Pass {
     const std::vector<RakeNode>& nodes;
     const Robot& robot;
     const FollowOptions& options;
+    DeltaRange drivable;
     double delta;
     double turns = 0;  ///< whole turns by which the robot's heading has left the rake path's (after straying)
     double to_end = 0;  ///< the robot's length from here to the end
     Followed result = {};
 
     void arrive(double s, Pose rake) {
-        result.path.push_back({to_end, robot_at(robot, rake.at, rake.heading + delta + turns),
-                               std::tan(delta) / robot.rake_offset});
+        result.path.push_back(
+            {to_end, robot_at(robot, rake.at, rake.heading + delta + turns), robot_curvature(robot, delta)});
         result.rake_s.push_back(s);
         result.max_delta = std::max(result.max_delta, std::abs(delta));
     }
     /// Where the rake is lost, if it is.
     std::optional<double> over_corner(const RakeNode& before, const RakeNode& after) {
         const double next = delta + after.rake.heading - before.rake.heading;
-        if (std::abs(next) > options.max_delta) return before.s;
+        if (!drivable.hold(next)) return before.s;
         if (std::abs(next - delta) < rounding) return std::nullopt;
         delta = next;
         arrive(before.s, before.rake);
         return std::nullopt;
     }
     std::optional<double> back_over(const RakeNode& here) {
-        const Stretch stretch = fine_stretch_back(delta, robot.rake_offset, here);
+        const Stretch stretch = fine_stretch_back(delta, robot, here);
         double left = static_cast<double>(stretch.parts.size());
         const double h = here.step / left;
         for (const Carried& part : stretch.parts) {
-            // written so that a NaN is lost too
-            if (!(std::abs(part.delta) <= options.max_delta)) return here.s + left * h;
+            if (!drivable.hold(part.delta)) return here.s + left * h;
             delta = part.delta;
             to_end += part.robot_step;
             const double local = --left * h;
@@ -163,11 +169,34 @@ Followed path_itself(const std::vector<RakeNode>& nodes) {
 }  // namespace
 
 double connectable_delta(const Robot& robot, double side) {
-    return robot.min_radius > 0 ? std::atan(robot.rake_offset / least_radius(robot, side)) : pi / 2;
+    if (robot.min_radius <= 0) return pi / 2;
+    const double radius = least_radius(robot, side) - (side > 0 ? robot.rake_side : -robot.rake_side);
+    return radius > 0 ? std::atan(robot.rake_offset / radius) : pi / 2;
+}
+
+double robot_curvature(const Robot& robot, double delta) {
+    return std::tan(delta) / (robot.rake_offset + robot.rake_side * std::tan(delta));
+}
+
+double delta_for(const Robot& robot, double robot_curvature) {
+    return std::atan(robot_curvature * robot.rake_offset / (1 - robot_curvature * robot.rake_side));
+}
+
+DeltaRange drivable_deltas(const Robot& robot, double most) {
+    DeltaRange range{-most, most};
+    if (robot.rake_side == 0) return range;
+    const double standing = std::atan(robot.rake_offset / std::abs(robot.rake_side)) - rolling_margin;
+    (robot.rake_side > 0 ? range.low : range.high) =
+        robot.rake_side > 0 ? std::max(range.low, -standing) : std::min(range.high, standing);
+    return range;
 }
 
 double steady_delta(const Robot& robot, double rake_curvature, double most) {
     return std::clamp(std::asin(std::clamp(rake_curvature * robot.rake_offset, -1.0, 1.0)), -most, most);
+}
+
+double rolled(const Robot& robot, double delta) {
+    return std::cos(delta) + robot.rake_side / robot.rake_offset * std::sin(delta);
 }
 
 Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot,
@@ -181,8 +210,9 @@ Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot,
     const double end = options.steady_end
                            ? steady_delta(robot, end_curvature, connectable_delta(robot, end_curvature))
                            : options.end_delta;
-    Pass pass{nodes, robot, options, std::clamp(end, -options.max_delta, options.max_delta)};
-    if (std::abs(end) > options.max_delta) pass.result.undrivable.push_back({nodes.back().s, nodes.back().s});
+    const DeltaRange drivable = drivable_deltas(robot, options.max_delta);
+    Pass pass{nodes, robot, options, drivable, std::clamp(end, drivable.low, drivable.high)};
+    if (!drivable.hold(end)) pass.result.undrivable.push_back({nodes.back().s, nodes.back().s});
     pass.arrive(nodes.back().s, nodes.back().rake);
     for (std::size_t i = nodes.size() - 1; i > 0;) {
         --i;

@@ -1,9 +1,10 @@
 #pragma once
-// Rake path <-> robot path. The rake's centre Q trails the turning point P: Q = P - L e(theta). On a rake
-// path with tangent phi and curvature k, delta = theta - phi obeys d delta / ds = sin(delta)/L - k; the
-// robot's curvature is tan(delta)/L and its arc length grows by cos(delta) per metre of rake. Forward that is
-// unstable, backward contracting: one backward pass gives the robot path. Exact while |k| < 1/L (see
-// docs/follow.md for the derivation).
+// Rake path <-> robot path. The rake's centre Q trails the turning point P and lies w to its left:
+// Q = P - L e(theta) + w n(theta). On a rake path with tangent phi and curvature k, delta = theta - phi obeys
+// d delta / ds = sin(delta)/L - k; the robot's curvature is tan(delta)/(L + w tan(delta)) and its arc length
+// grows by cos(delta) + w/L sin(delta) per metre of rake. Forward that is unstable, backward contracting: one
+// backward pass gives the robot path. Exact while |k| < 1/L, to the side away from the rake 1/hypot(L, w)
+// (see docs/follow.md for the derivation).
 #include <vector>
 
 #include "base/outcome/outcome.hpp"
@@ -39,10 +40,11 @@ struct Followed {
     std::vector<double> rake_s;  ///< rake arc length of each state
     struct Span {
         double from, to;
-    };                             ///< rake arc lengths
-    std::vector<Span> undrivable;  ///< where |delta| would reach `max_delta`: the rake leaves its path there
-    double max_delta = 0;          ///< largest |delta| met
-    double max_error = 0;          ///< metres: how far the rake gets off its path in undrivable spans
+    };  ///< rake arc lengths
+    std::vector<Span>
+        undrivable;        ///< where delta would leave drivable_deltas(): the rake leaves its path there
+    double max_delta = 0;  ///< largest |delta| met
+    double max_error = 0;  ///< metres: how far the rake gets off its path in undrivable spans
 };
 struct FollowOptions {
     double step = 0.01;       ///< metres of rake arc between states, at most
@@ -61,8 +63,18 @@ Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot,
 /// sin(delta) = curvature x rake_offset, where delta comes to rest on an endless arc; limited to |delta| <=
 /// most (radians).
 double steady_delta(const Robot& robot, double rake_curvature, double most);
+/// The robot's curvature while its heading is delta ahead of the rake's way, and back; L above 0.
+double robot_curvature(const Robot& robot, double delta);
+double delta_for(const Robot& robot, double robot_curvature);
+/// The deltas up to `most` at which the robot rolls forward. With a rake beside the axis it stands, and turns
+/// on the spot, at tan(delta) = -L/w; beyond it would have to back up. L above 0.
+struct DeltaRange {
+    double low, high;
+    bool hold(double delta) const { return delta >= low && delta <= high; }  ///< no NaN
+};
+DeltaRange drivable_deltas(const Robot& robot, double most);
 /// The largest |delta| of that sign at which the robot's own curvature is within its limit to that side:
-/// atan(rake_offset / least radius).
+/// atan(L / (R - w)) to the left, atan(L / (R + w)) to the right; pi/2 where that side's limit is never met.
 double connectable_delta(const Robot& robot, double side);
 
 /// What the robot is told at one instant.

@@ -21,6 +21,9 @@ std::vector<RakeNode> nodes_of(const std::vector<Curve>& rake_path, double step)
 Pose rake_at(const RakeNode& node, double local);
 double curvature_at(const RakeNode& node, double local);
 
+/// What the robot rolls a metre of rake: dz/ds.
+double rolled(const Robot& robot, double delta);
+
 /// Where the way back met the rake path.
 struct WayBack {
     std::size_t step = 0;  ///< index of the node in whose step it is

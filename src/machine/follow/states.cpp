@@ -16,11 +16,13 @@ Value hermite(const Value& a, const Value& slope_a, const Value& b, const Value&
 }  // namespace
 
 Point rake_at(const Robot& robot, Pose robot_pose) {
-    return robot_pose.at - robot.rake_offset * unit(robot_pose.heading);
+    const Point ahead = unit(robot_pose.heading);
+    return robot_pose.at - robot.rake_offset * ahead + robot.rake_side * left_normal(ahead);
 }
 
 Pose robot_at(const Robot& robot, Point rake, double robot_heading) {
-    return {rake + robot.rake_offset * unit(robot_heading), robot_heading};
+    const Point ahead = unit(robot_heading);
+    return {rake + robot.rake_offset * ahead - robot.rake_side * left_normal(ahead), robot_heading};
 }
 
 double length(const RobotPath& path) { return path.empty() ? 0 : path.back().s - path.front().s; }

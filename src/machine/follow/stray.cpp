@@ -35,7 +35,7 @@ struct Sight {
 };
 
 /// steered: delta until now.
-Sight look(const RakeNode& node, double s, const Robot& robot, const Pose& pose, double max_delta,
+Sight look(const RakeNode& node, double s, const Robot& robot, const Pose& pose, const DeltaRange& drivable,
            double steered) {
     const Pose place = rake_at(node, s - node.s);
     const double reach = reach_share * robot.rake_offset;
@@ -43,8 +43,8 @@ Sight look(const RakeNode& node, double s, const Robot& robot, const Pose& pose,
     Sight sight{cross(tangent, off), dot(tangent, off), 0, 0, wrap_angle(pose.heading - place.heading)};
     const double aim = std::atan(sight.aside / reach);
     const double wanted = wrap_angle(sight.on_path - aim);
-    sight.delta = std::abs(wanted) > turned_away ? std::copysign(max_delta, steered)
-                                                 : std::clamp(wanted, -max_delta, max_delta);
+    sight.delta = std::abs(wanted) > turned_away ? (std::signbit(steered) ? drivable.low : drivable.high)
+                                                 : std::clamp(wanted, drivable.low, drivable.high);
     const double along = std::cos(sight.on_path - sight.delta) - sight.ahead / reach;
     const double closeness = std::max(least_closeness, 1 - curvature_at(node, s - node.s) * sight.aside);
     sight.progress = std::clamp(along / closeness, least_progress, most_progress);
@@ -61,15 +61,16 @@ WayBack stray(const std::vector<RakeNode>& nodes, std::size_t step, double s, co
         while (i > 0 && at < nodes[i].s) --i;
     };
     const auto arrive = [&](Pose pose, double delta) {
-        result.path.push_back({to_end, pose, std::tan(delta) / offset});
+        result.path.push_back({to_end, pose, robot_curvature(robot, delta)});
         result.rake_s.push_back(s);
         result.max_delta = std::max(result.max_delta, std::abs(delta));
     };
+    const DeltaRange drivable = drivable_deltas(robot, options.max_delta);
     const double lost = s;
     double off_from = s;
     Pose pose = result.path.back().pose;
     const double before_straying = result.path.back().curvature;  // only its sign counts
-    Sight sight = look(nodes[step], s, robot, pose, options.max_delta, before_straying);
+    Sight sight = look(nodes[step], s, robot, pose, drivable, before_straying);
     double delta = sight.delta;
     arrive(pose, delta);  // the steering may jump here
     WayBack back{};
@@ -80,13 +81,13 @@ WayBack stray(const std::vector<RakeNode>& nodes, std::size_t step, double s, co
         std::size_t i = step;
         double at = s;
         for (int round = 0; round < 2; ++round) {
-            dz = h * std::cos((delta + wanted) / 2);
-            const double k = std::tan(delta) / offset, k_before = std::tan(wanted) / offset;
+            dz = h * rolled(robot, (delta + wanted) / 2);
+            const double k = robot_curvature(robot, delta), k_before = robot_curvature(robot, wanted);
             before = advanced(pose, {dz, k, (k - k_before) / dz}, -dz);
             i = step;
             at = s;
             place_before(i, at, h * sight.progress);
-            const Sight then = look(nodes[i], at, robot, before, options.max_delta, delta);
+            const Sight then = look(nodes[i], at, robot, before, drivable, delta);
             if (round == 0) wanted = then.delta;
             if (round == 1) sight = then;
         }
@@ -98,8 +99,8 @@ WayBack stray(const std::vector<RakeNode>& nodes, std::size_t step, double s, co
         arrive(pose, delta);
         result.max_error = std::max(result.max_error, sight.error());
         if (sight.error() > visibly_off) off_from = s;
-        if (s > 0 && sight.error() < back_on_path &&
-            std::abs(sight.on_path) < settled_share * options.max_delta) {
+        if (s > 0 && sight.error() < back_on_path && sight.on_path > settled_share * drivable.low &&
+            sight.on_path < settled_share * drivable.high) {
             back.rejoined = true;
             break;
         }

@@ -38,6 +38,9 @@ const std::vector<Field>& fields() {
         {{"rake_offset", "m",
           "how far the rake's centre trails the turning point; 0: the tool is at the turning point", 0, 10},
          &Robot::rake_offset},
+        {{"rake_side", "m", "how far the rake's centre lies left of the robot's axis; negative: right",
+          -max_body, max_body},
+         &Robot::rake_side},
         {{"pins", count_unit, "liftable pins, equally spaced across the travel", 1, most_pins}, &Robot::pins},
         {{"pin_pitch", "m", "between neighbouring pins; a pin's groove is as wide", 1e-5, 2},
          &Robot::pin_pitch},
@@ -148,6 +151,9 @@ Outcome<Robot> valid(Robot robot, const std::string& place) {
     if (robot.min_radius == 0 && !robot.can_pivot)
         return fail(prefix + "min_radius", "is 0, but can_pivot is false",
                     "set can_pivot = true, or a min_radius above 0");
+    if (robot.rake_side != 0 && robot.rake_offset <= 0)
+        return fail(prefix + "rake_side", "is not 0, but rake_offset is",
+                    "a rake that lies beside the turning point must trail it too: set rake_offset above 0");
     for (const auto& [field, radius] :
          {std::pair{"left_radius", robot.left_radius}, std::pair{"right_radius", robot.right_radius}})
         if (radius != 0 && !(radius >= robot.min_radius && robot.min_radius > 0))

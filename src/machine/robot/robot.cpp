@@ -61,11 +61,12 @@ Robot plotter() {
 }
 
 Robot turf() {
-    // A field marker: users report a least radius of 3 ft. The paint nozzle, in the middle behind the axle,
-    // the speeds, footprint and wheels are assumptions; sharpness R^2 = 2.5 as for the beachbot. Its line is
-    // one width whatever the drawing says.
+    // A field marker: users report a least radius of 3 ft. The paint nozzle, on an arm beside the body on its
+    // right, the speeds, footprint and wheels are assumptions; sharpness R^2 = 2.5 as for the beachbot. Its
+    // line is one width whatever the drawing says.
     return Robot{.name = "turf",
                  .rake_offset = 0.3,
+                 .rake_side = -0.5,
                  .pins = 1,
                  .pin_pitch = 0.10,
                  .min_radius = 0.9,
@@ -116,12 +117,6 @@ double wheel_reach(const Robot& robot) {
         }
     }
     return reach;
-}
-Polygon footprint(const Robot& robot) {
-    return {{-robot.back, -robot.half_width},
-            {robot.front, -robot.half_width},
-            {robot.front, robot.half_width},
-            {-robot.back, robot.half_width}};
 }
 
 std::vector<std::string> builtin_robots() { return {"beachbot", "plotter", "turf"}; }

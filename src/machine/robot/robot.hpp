@@ -29,6 +29,7 @@ struct Wheel {
 struct Robot {
     std::string name = "beachbot";
     double rake_offset = 0.2;  ///< L: the rake's centre trails P by this; 0: plotter
+    double rake_side = 0;      ///< w: the rake's centre lies so far left of P's axis; < 0: right
     int pins = 7;              ///< liftable pins, equally spaced across the travel
     double pin_pitch = 0.06;   ///< metres between pins; a pin's groove is as wide as the pitch
     double min_radius = 0.5;   ///< R of P when driving rake up; 0: turns on the spot are free (plotter)
@@ -68,6 +69,12 @@ inline double least_radius(const Robot& robot, double side) {
 double wheel_reach(const Robot& robot);
 /// Corners of the footprint, counter-clockwise, in the body frame.
 Polygon footprint(const Robot& robot);
+/// How far the footprint reaches from the turning point.
+double footprint_reach(const Robot& robot);
+/// Whether the footprint, with the turning point `at` a place and looking along `heading`, lies wholly within
+/// the area; wholly outside it. Touching the outline is both. O(corners).
+bool stays_within(const Robot& robot, Point at, double heading, const Region& area);
+bool keeps_off(const Robot& robot, Point at, double heading, const Region& area);
 
 std::vector<std::string> builtin_robots();            ///< "beachbot", "plotter", "turf"
 Outcome<Robot> builtin_robot(std::string_view name);  ///< unknown: the Error lists the names

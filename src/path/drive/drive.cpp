@@ -218,7 +218,8 @@ Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, con
             if (!plain) plain = build.followed(whole, end_delta);
             const auto delta = build.delta_at_start(whole, *plain);
             if (treatment == Treatment::exact &&
-                (robot.rake_offset == 0 || !delta || std::abs(*delta + turn) > options.max_delta))
+                (robot.rake_offset == 0 || !delta ||
+                 !drivable_deltas(robot, options.max_delta).hold(*delta + turn)))
                 continue;
             build.draw(whole, std::move(*plain));
             end = length_before;

@@ -52,7 +52,7 @@ std::optional<Leg> lead_in(const Robot& robot, const RobotState& first, double s
     double delta = 0;
     if (robot.rake_offset > 0) {
         // on a straight line d delta / ds = sin(delta)/L: tan(delta/2) grows as e^(s/L)
-        delta = std::atan(first.curvature * robot.rake_offset);
+        delta = delta_for(robot, first.curvature);
         constexpr double margin = 1 - 1e-4;  // against the error of the numerical pass
         const double allowed = std::tan(connectable_delta(robot, delta) * margin / 2);
         back = robot.rake_offset * std::log(std::max(1.0, std::tan(std::abs(delta) / 2) / allowed));
@@ -75,7 +75,7 @@ std::optional<Leg> run_out(const Robot& robot, const RobotState& last, double st
 Leaving leaving(const Robot& robot, const Curve& edge, double delta, double step) {
     const Pose end = end_pose(edge);
     const double curvature =
-        robot.rake_offset > 0 ? std::tan(delta) / robot.rake_offset : edge.pieces.back().end_curvature();
+        robot.rake_offset > 0 ? robot_curvature(robot, delta) : edge.pieces.back().end_curvature();
     const RobotState state{0, robot_at(robot, end.at, end.heading + delta), curvature};
     auto out = run_out(robot, state, step);
     return out ? Leaving{out->path.back(), delta, out} : Leaving{state, delta};

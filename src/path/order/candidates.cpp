@@ -38,7 +38,7 @@ CurvePoint turned_about(const CurvePoint& point) {
 Pose robot_pose(const CurvePoint& rake, const Robot& robot) {
     const double most = connectable_delta(robot, rake.curvature);
     const double heading = rake.pose.heading + steady_delta(robot, rake.curvature, most);
-    return {rake.pose.at + robot.rake_offset * unit(heading), heading};
+    return robot_at(robot, rake.pose.at, heading);
 }
 
 Candidate candidate(const Group& group, const Going& going, const Robot& robot) {

@@ -36,41 +36,33 @@ class Chooser {
         double turned = 0;
         for (const double turn : {best_.joint.turn_before, best_.joint.turn_after})
             if (turn != 0) turned += options_.connect.turn_start + turn_cost * std::abs(turn);
-        tried.push_back(passage_of(best_.joint.curve, turned));
-        weigh(best_, turned);
-        if (!options_.avoid.on || (best_.metres == 0 && best_.crossings == 0)) return best_;
+        weigh(best_, turned, tried);
+        if (best_.spoilt.none()) return best_;
         for (const Guess& guess : guesses()) {
             Driven other{{0, 0, led(guess.through)}, guess.through};
-            weigh(other, 0);
-            tried.push_back(passage_of(other.joint.curve, 0));
+            weigh(other, 0, tried);
             if (other.cost < best_.cost) best_ = std::move(other);
         }
-        if (best_.metres > 0) {
-            route::Way way = route::way(finished_.ground, from_, to_, {.limits = options_.connect.limits});
-            Driven other{{0, 0, std::move(way.curve)}, std::move(way.through)};
-            weigh(other, 0);
-            tried.push_back(passage_of(other.joint.curve, 0));
-            if (other.cost < best_.cost) best_ = std::move(other);
-        }
+        if (best_.spoilt.metres > 0 || best_.spoilt.hard > 0) go_round(finished_.ground, tried);
+        if (best_.spoilt.hard > 0) go_round(pairs_.hard().narrow(), tried);
         return best_;
     }
 
   private:
-    Passage passage_of(const Curve& curve, double turned) const {
-        return pairs_.passage(length(curve) + turned, curve,
-                              options_.avoid.area_cost * options_.avoid.near_share);
+    void go_round(const route::Ground& ground, std::vector<Passage>& tried) {
+        route::Way way = route::way(ground, from_, to_, {.limits = options_.connect.limits});
+        Driven other{{0, 0, std::move(way.curve)}, std::move(way.through)};
+        weigh(other, 0, tried);
+        if (other.cost < best_.cost) best_ = std::move(other);
     }
-    void weigh(Driven& driven, double turned) const {
+    void weigh(Driven& driven, double turned, std::vector<Passage>& tried) const {
         const Curve& curve = driven.joint.curve;
-        driven.cost = length(curve) + turned;
-        if (!options_.avoid.on) return;
-        for (const Touch& touch : pairs_.touched(curve))
-            if (finished_.groups[static_cast<std::size_t>(touch.group)] != 0)
-                driven.crossings += touch.crossings;
-        if (finished_.any_area && !finished_.ground.clear(curve))
-            driven.metres = finished_.ground.blemish(curve);
-        driven.cost +=
-            driven.crossings * options_.avoid.crossing_cost + driven.metres * options_.avoid.area_cost;
+        driven.spoilt = spoilt(curve, finished_, pairs_, options_);
+        const double always = length(curve) + turned + driven.spoilt.hard * hard_cost;
+        driven.cost = always + driven.spoilt.crossings * options_.avoid.crossing_cost +
+                      driven.spoilt.metres * options_.avoid.area_cost;
+        tried.push_back(
+            pairs_.passage(always, curve, {.area = options_.avoid.area_cost * options_.avoid.near_share}));
     }
 
     /// The cheapest ones by what words spoil, those only that may gain.
@@ -95,10 +87,11 @@ class Chooser {
                     if (guess.through.empty() || whole >= best_.cost) continue;
                     if (before > 0) word = joined(straight(from_.pose, before * radius), word);
                     if (after > 0) word = joined(std::move(word), straight(b, after * radius));
-                    guess.cost = whole;
-                    for (const Passage::Spoils& spoils :
-                         pairs_.passage(whole, word, options_.avoid.area_cost * options_.avoid.near_share)
-                             .spoils)
+                    const Passage passage = pairs_.passage(
+                        whole, word,
+                        {.area = options_.avoid.area_cost * options_.avoid.near_share, .hard = hard_cost});
+                    guess.cost = passage.length;
+                    for (const Passage::Spoils& spoils : passage.spoils)
                         if (finished_.groups[static_cast<std::size_t>(spoils.group)] != 0)
                             guess.cost += spoils.cost;
                     if (guess.cost < best_.cost) found.push_back(std::move(guess));
@@ -132,6 +125,16 @@ bool same(const CurvatureState& a, const CurvatureState& b) {
 }
 
 }  // namespace
+
+Spoilt spoilt(const Curve& curve, const Finished& finished, const Pairs& pairs, const Options& options) {
+    Spoilt found;
+    found.hard = pairs.hard().metres(curve);
+    if (!options.avoid.on) return found;
+    for (const Touch& touch : pairs.touched(curve).groups)
+        if (finished.groups[static_cast<std::size_t>(touch.group)] != 0) found.crossings += touch.crossings;
+    if (finished.any_area && !finished.areas.clear(curve)) found.metres = finished.areas.blemish(curve);
+    return found;
+}
 
 Driven connected(const CurvatureState& from, const CurvatureState& to, connect::Connection direct,
                  const Finished& finished, const Pairs& pairs, const Options& options,

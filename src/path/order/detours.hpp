@@ -10,22 +10,29 @@ namespace strandline::order {
 
 /// What is finished when a connection is driven.
 struct Finished {
-    route::Ground areas;  ///< as they are
-    route::Ground ground;
+    route::Ground areas;
+    route::Ground ground;      ///< those, and what is hard
     std::vector<char> groups;  ///< by group
     bool any_area = false;
 };
+/// What a curve drives over that it should not.
+struct Spoilt {
+    double metres = 0;  ///< nearer to finished areas than the clearance
+    double hard = 0;    ///< metres with the footprint in a keep-out or out of the field
+    int crossings = 0;  ///< of finished lines
+    bool none() const { return metres == 0 && hard == 0 && crossings == 0; }
+};
+Spoilt spoilt(const Curve& curve, const Finished& finished, const Pairs& pairs, const Options& options);
 /// A connection, with what it spoils.
 struct Driven {
     connect::Connection joint;
     std::vector<Pose> through = {};
     double cost = 0;  ///< metres: length, turns, blemishes
-    double metres = 0;
-    int crossings = 0;
+    Spoilt spoilt = {};
 };
 /// The cheapest of: `direct`, the connection as asked for; Dubins' words, also between poses farther on along
-/// the ends' headings, as continuous curves; the way round areas. The others are looked at only where the
-/// first spoils something. `tried`: all that was made, for other times.
+/// the ends' headings, as continuous curves; the way round areas and what is hard. The others are looked at
+/// only where the first spoils something. `tried`: all that was made, for other times.
 Driven connected(const CurvatureState& from, const CurvatureState& to, connect::Connection direct,
                  const Finished& finished, const Pairs& pairs, const Options& options,
                  std::vector<Passage>& tried);

@@ -16,7 +16,7 @@ void append_pivot(std::vector<Leg>& legs, Pose at, double turn) {
 
 /// Where a drive along a curve first does what it should not.
 Point begin_of(const Finished& finished, const Curve& curve) {
-    return point_at(curve, finished.ground.clear_length(curve)).pose.at;
+    return point_at(curve, finished.areas.clear_length(curve)).pose.at;
 }
 
 /// A stroke as planned, and what it is of.
@@ -36,28 +36,33 @@ class Drafter {
           robot_(robot),
           options_(options),
           search_(search),
-          finished_{route::Ground({.clearance = 0, .radius = options.avoid.radius}),
+          finished_{route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
                     route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
                     std::vector<char>(job.groups.size(), 0)} {}
 
     Draft make(const Progress& progress) {
         answer_.unshaped.assign(job_.shapes.size(), "the two are not driven one after the other");
+        if (search_) search_->pairs.hard().add_to(finished_.ground);
         const std::vector<std::vector<Link>> chains = chained(links());
         std::optional<CurvatureState> from;
+        if (job_.parked) from = CurvatureState{*job_.parked, 0};
         const Link* last = nullptr;
         for (std::size_t k = 0; k < chains.size(); ++k) {
             progress.report("driving", static_cast<double>(k) / static_cast<double>(chains.size()));
             std::vector<Planned> chain;
             for (const Link& link : chains[k]) chain.push_back(link.planned);
             drive::Drive driven = drive_chain(chain, answer_.strokes, robot_, options_.drive);
-            if (from) connect(*from, *last, driven.start, chains[k].front());
+            if (from) connect(*from, last, driven.start, &chains[k].front());
             take(driven);
             from = driven.end;
             last = &chains[k].back();
             for (const Link& link : chains[k])
                 if (link.last) finish(goings_[link.place].step.element);
         }
-        if (job_.end && from) cost_ += distance(from->pose.at, *job_.end);
+        if (last && !job_.exits.empty())
+            leave(*from, *last);
+        else if (job_.end && from)
+            cost_ += distance(from->pose.at, *job_.end);
         for (const Going& going : goings_)
             if (going.variant >= 0)
                 cost_ += job_.groups[static_cast<std::size_t>(going.step.element)]
@@ -114,26 +119,49 @@ class Drafter {
         return chains;
     }
 
-    void connect(const CurvatureState& from, const Link& last, const CurvatureState& to, const Link& next) {
-        const int before = last.planned.stroke, after = next.planned.stroke;
-        Driven driven;
-        if (search_) {
-            const std::uint64_t which = static_cast<std::uint64_t>(search_->row[last.place]) << 42 |
-                                        static_cast<std::uint64_t>(search_->row[next.place]) << 21 |
-                                        static_cast<std::uint64_t>(next.number);
-            driven = search_->made.connected(which, from, to, finished_, search_->pairs, options_);
-            if (last.place != next.place)
-                search_->pairs.learn(search_->row[last.place], search_->row[next.place],
-                                     search_->made.tried(which));
-        } else {
-            driven.joint = connect::connection(from, to, options_.connect);
+    /// `number`: which of several that lead between the same two.
+    Driven chosen(const CurvatureState& from, const Link* last, const CurvatureState& to, const Link* next,
+                  int number) {
+        if (!search_) return {connect::connection(from, to, options_.connect)};
+        const auto name = [&](const Link* link) {
+            return static_cast<std::uint64_t>(link ? search_->row[link->place] + 1 : 0);
+        };
+        const std::uint64_t which = name(last) << 42 | name(next) << 21 | static_cast<std::uint64_t>(number);
+        Driven driven = search_->made.connected(which, from, to, finished_, search_->pairs, options_);
+        if (last && next && last->place != next->place)
+            search_->pairs.learn(search_->row[last->place], search_->row[next->place],
+                                 search_->made.tried(which));
+        return driven;
+    }
+
+    void connect(const CurvatureState& from, const Link* last, const CurvatureState& to, const Link* next) {
+        append(chosen(from, last, to, next, next ? next->number : 0), from, last, to, next);
+    }
+
+    /// To the exit that costs least; only the nearest are looked at.
+    void leave(const CurvatureState& from, const Link& last) {
+        const std::vector<Pose> exits = nearest_exits(job_, from.pose.at);
+        std::optional<Driven> best;
+        CurvatureState to;
+        for (std::size_t k = 0; k < exits.size(); ++k) {
+            Driven other = chosen(from, &last, {exits[k], 0}, nullptr, static_cast<int>(k));
+            if (!search_) other.cost = length(other.joint.curve);
+            if (best && other.cost >= best->cost) continue;
+            best = std::move(other);
+            to = {exits[k], 0};
         }
-        shape(driven, goings_[last.place].step.element, goings_[next.place].step.element);
+        append(std::move(*best), from, &last, to, nullptr);
+    }
+
+    void append(Driven driven, const CurvatureState& from, const Link* last, const CurvatureState& to,
+                const Link* next) {
+        const int before = last ? last->planned.stroke : -1, after = next ? next->planned.stroke : -1;
+        if (last && next) shape(driven, goings_[last->place].step.element, goings_[next->place].step.element);
         const connect::Connection& joint = driven.joint;
-        if (last.place != next.place) cost_ += driven.cost;
-        if (driven.metres > 0 || driven.crossings > 0)
-            answer_.blemishes.push_back(
-                {before, after, begin_of(finished_, joint.curve), driven.metres, driven.crossings});
+        if (!last || !next || last->place != next->place) cost_ += driven.cost;
+        if (driven.spoilt.metres > 0 || driven.spoilt.crossings > 0)
+            answer_.blemishes.push_back({before, after, begin_of(finished_, joint.curve),
+                                         driven.spoilt.metres, driven.spoilt.crossings});
         if (!joint.broken.empty()) {
             ++answer_.fallbacks;
             answer_.warnings.push_back(
@@ -159,14 +187,7 @@ class Drafter {
         driven.cost += length(led->curve) - length(driven.joint.curve);
         driven.joint = std::move(*led);
         driven.through.clear();
-        driven.metres = 0;
-        driven.crossings = 0;
-        if (!search_ || !options_.avoid.on) return;
-        if (finished_.any_area && !finished_.ground.clear(driven.joint.curve))
-            driven.metres = finished_.ground.blemish(driven.joint.curve);
-        for (const Touch& touch : search_->pairs.touched(driven.joint.curve))
-            if (finished_.groups[static_cast<std::size_t>(touch.group)] != 0)
-                driven.crossings += touch.crossings;
+        driven.spoilt = search_ ? spoilt(driven.joint.curve, finished_, search_->pairs, options_) : Spoilt{};
     }
 
     void take(drive::Drive& driven) {

@@ -22,7 +22,8 @@ Draft drafted(const Job& job, const std::vector<Going>& goings, const Robot& rob
               const Search* search, const Progress& progress);
 
 /// The draft that no other order, found by annealing on what was driven, is cheaper than.
+/// `keep_row`: that of these goings, driven once.
 Draft searched(const Job& job, const std::vector<Going>& goings, const Choices& choices, const Robot& robot,
-               const Options& options, const Progress& progress);
+               const Options& options, bool keep_row, const Progress& progress);
 
 }  // namespace strandline::order

@@ -16,6 +16,8 @@ constexpr double most_cells = 250'000;
 /// A curve is gone along by chords that turn by no more than this (radians), and no longer than a cell of
 /// areas.
 constexpr double chord_turn = 0.15;
+/// Metres of a chord, where there is no grid.
+constexpr double longest_chord = 0.25;
 
 Raster cells_over(Box box, double cell) {
     box = grown(box, cell);
@@ -36,9 +38,18 @@ Marks::Cells Marks::gathered(std::size_t cells, const std::vector<std::pair<std:
     return result;
 }
 
-Marks::Marks(const Job& job, const Avoid& avoid, double radius) {
-    take_lines(job, radius);
-    take_areas(job, avoid);
+Marks::Marks(const Job& job, const Avoid& avoid, const Robot& robot)
+    : hard_(static_cast<int>(job.groups.size())) {
+    const double side = std::min({robot.front, robot.back, robot.half_width});
+    Regions hard = job.keep_out;
+    if (job.field) {
+        const Box box = bounds(*job.field);
+        inside_ = grown(box, -side);
+        const Regions whole{{{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, {}}};
+        hard = united(hard.empty() ? hard : intersected(hard, whole), subtracted(whole, {*job.field}));
+    }
+    if (avoid.on) take_lines(job, robot.min_radius);
+    take_areas(job, avoid, hard.empty() || side <= 0 ? hard : inset(hard, -side));
 }
 
 void Marks::take_lines(const Job& job, double radius) {
@@ -66,21 +77,25 @@ void Marks::take_lines(const Job& job, double radius) {
     asked_.assign(chords_.size(), 0);
 }
 
-void Marks::take_areas(const Job& job, const Avoid& avoid) {
-    Box box;
+void Marks::take_areas(const Job& job, const Avoid& avoid, const Regions& hard) {
+    Box box = bounds(hard);
     for (const Group& group : job.groups)
-        if (!group.area.empty()) box = united(box, bounds(group.area));
+        if (avoid.on && !group.area.empty()) box = united(box, bounds(group.area));
     if (box.empty()) return;
     const double cell = area_cell * avoid.radius;
     areas_ = cells_over(grown(box, avoid.clearance), cell);
     std::vector<std::pair<std::size_t, int>> entries;
-    for (std::size_t g = 0; g < job.groups.size(); ++g) {
+    const auto take = [&](const Regions& area, int number) {
+        for (const Run& run : runs_inside(areas_, area))
+            for (int column = run.first; column < run.end; ++column)
+                entries.emplace_back(areas_.index(column, run.row), number);
+    };
+    for (std::size_t g = 0; avoid.on && g < job.groups.size(); ++g) {
         if (job.groups[g].area.empty()) continue;
         const double grow = std::max(0.0, avoid.clearance - areas_.cell);
-        for (const Run& run : runs_inside(areas_, inset(job.groups[g].area, -grow)))
-            for (int column = run.first; column < run.end; ++column)
-                entries.emplace_back(areas_.index(column, run.row), static_cast<int>(g));
+        take(inset(job.groups[g].area, -grow), static_cast<int>(g));
     }
+    if (!hard.empty()) take(hard, hard_);
     by_cell_ = gathered(areas_.size(), entries);
 }
 
@@ -118,13 +133,17 @@ void Marks::cross(Point a, Point b, Point begin, Point end, std::vector<Touch>& 
     });
 }
 
-std::vector<Touch> Marks::touched(const Curve& curve) const {
+Touched Marks::touched(const Curve& curve) const {
+    Touched touched;
     std::vector<Touch> found;
+    if (chords_.empty() && by_cell_.first.empty() && !inside_) return touched;
     const Point begin = curve.start.at, end = end_pose(curve).at;
     Pose at = curve.start;
     for (const Clothoid& piece : curve.pieces) {
         const double bend = std::max(std::abs(piece.curvature), std::abs(piece.end_curvature()));
-        const double longest = by_cell_.first.empty() ? squares_.cell : areas_.cell;
+        const double longest = !by_cell_.first.empty() ? areas_.cell
+                               : !chords_.empty()      ? squares_.cell
+                                                       : longest_chord;
         const int parts = std::max(
             1,
             static_cast<int>(std::ceil(std::max(piece.length / longest, piece.length * bend / chord_turn))));
@@ -137,26 +156,32 @@ std::vector<Touch> Marks::touched(const Curve& curve) const {
             const Point to = arc ? from + chord : advanced(at, piece, step * i).at;
             chord = {chord.x * turn.x - chord.y * turn.y, chord.x * turn.y + chord.y * turn.x};
             if (!chords_.empty()) cross(from, to, begin, end, found);
-            if (!by_cell_.first.empty()) {
+            if (inside_ && !contains(*inside_, between(from, to, 0.5))) {
+                touched.hard += step;
+            } else if (!by_cell_.first.empty()) {
                 const Point middle = areas_.in_cells(between(from, to, 0.5));
                 const long column = std::lround(middle.x), row = std::lround(middle.y);
                 if (column >= 0 && column < areas_.columns && row >= 0 && row < areas_.rows)
                     for (const int g :
-                         by_cell_.of(areas_.index(static_cast<int>(column), static_cast<int>(row))))
-                        found.push_back({g, 0, step});
+                         by_cell_.of(areas_.index(static_cast<int>(column), static_cast<int>(row)))) {
+                        if (g == hard_)
+                            touched.hard += step;
+                        else
+                            found.push_back({g, 0, step});
+                    }
             }
             from = to;
         }
         at = advanced(at, piece, piece.length);
     }
     std::ranges::stable_sort(found, {}, &Touch::group);
-    std::vector<Touch> merged;
+    std::vector<Touch>& merged = touched.groups;
     for (const Touch& touch : found) {
         if (merged.empty() || merged.back().group != touch.group) merged.push_back({touch.group});
         merged.back().crossings += touch.crossings;
         merged.back().metres += touch.metres;
     }
-    return merged;
+    return touched;
 }
 
 }  // namespace strandline::order

@@ -15,14 +15,20 @@ struct Touch {
     int crossings = 0;  ///< of its line
     double metres = 0;  ///< within its area and nearer to it than the clearance, to a cell
 };
+struct Touched {
+    std::vector<Touch> groups;  ///< ascending
+    double hard =
+        0;  ///< metres in keep-outs and outside the field, or nearer than any side of the robot, to a cell
+};
 
-/// Lines as chords by squares of a grid, areas (grown by the clearance, less a cell) as cells.
+/// Lines as chords by squares of a grid, areas (grown by the clearance, less a cell) as cells. Where nothing
+/// finished is avoided, what is hard alone.
 class Marks {
   public:
-    Marks(const Job& job, const Avoid& avoid, double radius);
-    /// By group, ascending. Crossings nearer than 5 cm to the curve's ends are none, as the trace judge and
+    Marks(const Job& job, const Avoid& avoid, const Robot& robot);
+    /// Crossings nearer than 5 cm to the curve's ends are none, as the trace judge and
     /// check have it: a line's own end is left there. O(length / cell).
-    std::vector<Touch> touched(const Curve& curve) const;
+    Touched touched(const Curve& curve) const;
 
   private:
     struct Chord {
@@ -39,7 +45,7 @@ class Marks {
     };
     static Cells gathered(std::size_t cells, const std::vector<std::pair<std::size_t, int>>& entries);
     void take_lines(const Job& job, double radius);
-    void take_areas(const Job& job, const Avoid& avoid);
+    void take_areas(const Job& job, const Avoid& avoid, const Regions& hard);
     template <class What>
     void for_squares(Point a, Point b, What&& what) const;
     void cross(Point a, Point b, Point begin, Point end, std::vector<Touch>& found) const;
@@ -47,6 +53,8 @@ class Marks {
     Raster squares_, areas_;
     std::vector<Chord> chords_;
     Cells by_square_, by_cell_;
+    int hard_;                        ///< stands for what is hard among the groups of a cell
+    std::optional<Box> inside_;       ///< the field's box, less what the robot's nearest side takes
     mutable std::vector<int> asked_;  ///< by chord: the last question that met it
     mutable int question_ = 0;
 };

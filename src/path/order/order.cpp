@@ -38,10 +38,14 @@ int tour_vertex(const Group& group, int node) {
 
 tour::Problem problem_of(const Job& job) {
     tour::Problem problem;
-    problem.start = job.start;
-    if (job.end) {
+    problem.start = job.parked ? std::optional(job.parked->at) : job.start;
+    // of several exits elsewhere the tour knows none
+    const bool one_exit = !job.exits.empty() && std::ranges::all_of(job.exits, [&](const Pose& exit) {
+        return exit.at == job.exits.front().at;
+    });
+    if (one_exit || (job.exits.empty() && job.end)) {
         problem.end = tour::End::at_point;
-        problem.end_point = *job.end;
+        problem.end_point = one_exit ? job.exits.front().at : *job.end;
     }
     problem.before = job.before;
     problem.groups = job.batches;
@@ -77,8 +81,11 @@ Outcome<Ordered> ordered(const Job& whole, const Robot& robot, const Options& op
         curved && !options.straight &&
         (options.tour.method == tour::Method::best || options.tour.method == tour::Method::exact);
     if (searches && !tour->groups.empty()) job.batches = tour->groups;
-    Draft draft = searches ? searched(job, goings, choices, robot, options, progress)
-                           : drafted(job, goings, robot, options, nullptr, progress);
+    Options driving = options;
+    if (!searches) driving.avoid.on = false;
+    // a row that is to stay is driven once, round what is hard
+    Draft draft = curved ? searched(job, goings, choices, robot, driving, !searches, progress)
+                         : drafted(job, goings, robot, options, nullptr, progress);
     Ordered answer = std::move(draft.ordered);
     put_together(answer, parts, whole);
     answer.tour = *tour;

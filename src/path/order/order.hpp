@@ -57,6 +57,12 @@ struct Job {
     std::vector<std::vector<int>> batches = {};
     std::optional<Point> end = {};  ///< the drive ends near here
     std::vector<Shape> shapes = {};
+    /// Connections do not lead the robot's footprint out of the field, nor into keep-outs, whatever is
+    /// avoided.
+    std::optional<Region> field = {};
+    Regions keep_out = {};
+    std::optional<Pose> parked = {};  ///< the drive begins here
+    std::vector<Pose> exits = {};     ///< and ends at one of these, the cheapest; none: at the last stroke
 };
 /// What is done about driving over what is finished: areas are hard, lines cost something.
 struct Avoid {
@@ -69,7 +75,7 @@ struct Avoid {
 };
 /// Where nothing better was found than to drive over what is finished.
 struct Blemish {
-    int from = -1, to = -1;  ///< strokes
+    int from = -1, to = -1;  ///< strokes; -1: parked, or an exit
     Point at;                ///< where it begins
     double metres = 0;       ///< nearer to finished areas than the clearance
     int crossings = 0;       ///< of drawn lines
@@ -83,7 +89,7 @@ struct Options {
     double min_gap = 0.02;  ///< metres: nearer strokes are joined directly
 };
 
-/// What is driven between two strokes of the answer.
+/// What is driven between two strokes of the answer; from -1: from where it was parked, to -1: to an exit.
 struct Connection {
     int from = -1, to = -1;
     double turn_before = 0, turn_after = 0;

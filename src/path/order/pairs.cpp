@@ -8,6 +8,10 @@ namespace {
 
 /// A metre over a finished area is guessed to cost so many metres of way round it.
 constexpr double guessed_detour = 1.5;
+/// The same of a keep-out, or outside the field.
+constexpr double guessed_hard_detour = 3;
+/// Exits that are looked at for one candidate: the nearest.
+constexpr std::size_t most_exits = 6;
 
 /// Pairs of more candidates than this are not kept in a table.
 constexpr std::size_t most_tabled = 1500;
@@ -32,8 +36,19 @@ bool nearly_touch(Pose from, Pose to, const Robot& robot, const Options& options
            std::abs(wrap_angle(to.heading - across)) < options.drive.corner_threshold;
 }
 
+std::vector<Pose> nearest_exits(const Job& job, Point from) {
+    std::vector<Pose> exits = job.exits;
+    std::ranges::stable_sort(exits, {}, [&](const Pose& exit) { return distance(exit.at, from); });
+    if (exits.size() > most_exits) exits.resize(most_exits);
+    return exits;
+}
+
 Pairs::Pairs(const Job& job, const Choices& choices, const Robot& robot, const Options& options)
-    : job_(job), robot_(robot), options_(options), marks_(job, options.avoid, robot.min_radius) {
+    : job_(job),
+      robot_(robot),
+      options_(options),
+      hard_(job, robot, options.avoid.clearance, options.avoid.radius),
+      marks_(job, options.avoid, robot) {
     first_.push_back(0);
     for (const std::vector<Candidate>& own : choices) {
         candidates_.insert(candidates_.end(), own.begin(), own.end());
@@ -80,18 +95,19 @@ Pairs::Entry Pairs::first_look(int from, int to) const {
         entry.shortest = std::min(entry.shortest, d + turned(wrap_angle(ahead - a.end.heading)) +
                                                       turned(wrap_angle(b.start.heading - ahead)));
     }
-    if (!options_.avoid.on) {
+    if (!options_.avoid.on && !hard_.near(a.end.at, b.start.at)) {
         entry.weighed = true;
         entry.passages = {{entry.shortest}};
     }
     return entry;
 }
 
-Passage Pairs::passage(double length, const Curve& curve, double area_cost, int left) const {
-    Passage result{length};
-    for (const Touch& touch : marks_.touched(curve)) {
+Passage Pairs::passage(double length, const Curve& curve, const Rates& rates, int left) const {
+    const Touched touched = marks_.touched(curve);
+    Passage result{length + touched.hard * rates.hard};
+    for (const Touch& touch : touched.groups) {
         const double metre =
-            touch.group == left ? options_.avoid.area_cost * options_.avoid.near_share : area_cost;
+            touch.group == left ? options_.avoid.area_cost * options_.avoid.near_share : rates.area;
         result.spoils.push_back(
             {touch.group, touch.crossings * options_.avoid.crossing_cost + touch.metres * metre});
     }
@@ -118,10 +134,43 @@ const std::vector<Passage>& Pairs::passages(int from, int to) {
     for (const Curve& curve : curves) {
         const double l = found.passages.empty() ? found.shortest : length(curve);
         if (l >= least) continue;  // a shorter one is cheaper, whatever is drawn
-        found.passages.push_back(passage(l, curve, guessed_detour, group_of(from)));
+        found.passages.push_back(
+            passage(l, curve, {.area = guessed_detour, .hard = guessed_hard_detour}, group_of(from)));
         least = std::min(least, whole(found.passages.back()));
     }
+    std::ranges::stable_sort(found.passages, {}, &Passage::length);  // what is hard made some longer
     return found.passages;
+}
+
+double Pairs::cheapest_word(Pose from, Pose to, bool all_finished) const {
+    double best = std::numeric_limits<double>::infinity();
+    for (const Curve& word : dubins_words(from, to, robot_.min_radius)) {
+        if (length(word) >= best) continue;
+        const Passage way =
+            passage(length(word), word, {.area = guessed_detour, .hard = guessed_hard_detour});
+        double sum = way.length;
+        if (all_finished)
+            for (const Passage::Spoils& spoils : way.spoils) sum += spoils.cost;
+        best = std::min(best, sum);
+    }
+    return best;
+}
+
+double Pairs::from_parked(int candidate) {
+    const auto [at, fresh] = from_parked_.try_emplace(candidate, 0);
+    if (fresh)
+        at->second =
+            cheapest_word(*job_.parked, candidates_[static_cast<std::size_t>(candidate)].start, false);
+    return at->second;
+}
+
+double Pairs::to_exit(int candidate) {
+    const auto [at, fresh] = to_exit_.try_emplace(candidate, std::numeric_limits<double>::infinity());
+    if (!fresh) return at->second;
+    const Pose from = candidates_[static_cast<std::size_t>(candidate)].end;
+    for (const Pose& exit : nearest_exits(job_, from.at))
+        at->second = std::min(at->second, cheapest_word(from, exit, true));
+    return at->second;
 }
 
 void Pairs::learn(int from, int to, std::vector<Passage> driven) {

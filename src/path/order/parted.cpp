@@ -76,6 +76,10 @@ Parted parted(const Job& job, double near) {
         answer.job.ties.push_back({of(tie.a).first, tie.node_a, of(tie.b).first, tie.node_b});
     answer.job.start = job.start;
     answer.job.end = job.end;
+    answer.job.field = job.field;
+    answer.job.keep_out = job.keep_out;
+    answer.job.parked = job.parked;
+    answer.job.exits = job.exits;
     for (const std::vector<int>& batch : job.batches) {
         answer.job.batches.emplace_back();
         for (const int group : batch)

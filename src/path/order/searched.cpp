@@ -23,7 +23,7 @@ std::vector<Going> goings_of(const Row& row, const Pairs& pairs) {
 }  // namespace
 
 Draft searched(const Job& job, const std::vector<Going>& goings, const Choices& choices, const Robot& robot,
-               const Options& options, const Progress& progress) {
+               const Options& options, bool keep_row, const Progress& progress) {
     Pairs pairs(job, choices, robot, options);
     Row row;
     for (const Going& going : goings) {
@@ -32,6 +32,11 @@ Draft searched(const Job& job, const std::vector<Going>& goings, const Choices& 
         while (candidate + 1 < end && !(pairs.all()[static_cast<std::size_t>(candidate)].going == going))
             ++candidate;
         row.push_back(candidate);
+    }
+    Made made;
+    if (keep_row) {
+        const Search search{pairs, made, row};
+        return drafted(job, goings, robot, options, &search, progress);
     }
     std::uint64_t work = std::min(work_by_group * row.size(), most_work);
     if (options.tour.moves > 0) work = std::min(work, work_by_move * options.tour.moves);
@@ -42,7 +47,6 @@ Draft searched(const Job& job, const std::vector<Going>& goings, const Choices& 
     row = std::move(found.row);
     std::optional<Draft> best;
     Row best_row;
-    Made made;
     for (int round = 0; round < most_rounds; ++round) {
         const Search search{pairs, made, row};
         Draft draft = drafted(job, goings_of(row, pairs), robot, options, &search, progress);

@@ -9,9 +9,6 @@ namespace strandline::order {
 /// Candidates (numbers of Pairs) in driving order.
 using Row = std::vector<int>;
 
-/// What a row costs: passages by what is finished before them, and what candidates are longer.
-double cost_of(const Row& row, const Job& job, Pairs& pairs);
-
 struct Annealing {
     double hot = 1.5;         ///< metres that a move may cost at first, about
     std::uint64_t work = 0;   ///< passages weighed, at most

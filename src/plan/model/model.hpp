@@ -101,6 +101,17 @@ struct Options {
         double crossing_cost = 2, area_cost = 20;  // metres a crossing, metres a metre
         bool operator==(const Avoid&) const = default;
     } avoid;
+    struct DriveField {                // "field.*": outlines_of() reads both
+        std::string border, keep_out;  // empty border: the drawing's, or the canvas and its run-out
+        bool operator==(const DriveField&) const = default;
+    } field;
+    struct Park {  // "park.*"
+        bool parked = false;
+        double x = 0, y = 0, heading = 0;
+        std::string exit = "none";  // none | parked | outside | pose
+        double exit_x = 0, exit_y = 0, exit_heading = 0;
+        bool operator==(const Park&) const = default;
+    } park;
     struct Samples {  // "trajectory.*"
         double step = 0.02;
         bool operator==(const Samples&) const = default;
@@ -137,6 +148,8 @@ Outcome<void> set(Options& options, const svg::Hint& fill_hint);
 /// "layer=Outline: pins=3; colour=#ff0000: tool=2, fill-style=zigzag". `*` in what is selected stands for any
 /// letters. Error: what cannot be read, with the rule.
 Outcome<std::vector<InkRule>> rules_of(const std::string& text);
+/// "0,0 2,0 1,2; ..." -> outlines in metres on the canvas, three corners or more each. Error: which, and why.
+Outcome<std::vector<Polygon>> outlines_of(const std::string& text, const std::string& place);
 /// "a; b" -> the names.
 std::vector<std::string> names_of(const std::string& text);
 
@@ -192,7 +205,8 @@ using Edit = std::variant<LinkEdit, EntryEdit, DirectionEdit, HintEdit, OrderEdi
 
 // ---- the plan
 
-/// What is driven rake up from the end of strokes[from] to the start of strokes[to].
+/// What is driven rake up from the end of strokes[from] to the start of strokes[to]; -1: from where the robot
+/// was parked, or to the exit.
 struct PlannedConnection {
     int from = -1, to = -1;                  ///< indices into Plan::strokes
     double turn_before = 0, turn_after = 0;  ///< turns on the spot, radians
@@ -220,14 +234,15 @@ struct Spot {
 /// point P.
 struct Figures {
     int elements = 0, lines = 0, regions = 0, strokes = 0;
-    double drawn = 0;           ///< m of rake path, rake down
-    double up_straight = 0;     ///< m, stroke end to stroke start, rake centre
-    double up_dubins = 0;       ///< m, robot pose to robot pose, Dubins: the lower bound for this order
-    double up_driven = 0;       ///< m driven by P between strokes (connections, leads), loops apart
-    double loops_driven = 0;    ///< m driven in corner loops
-    double time = 0;            ///< s
-    double tightest_up = 0;     ///< largest |curvature| rake up on connections and loops, 1/m
-    double tightest_drawn = 0;  ///< largest |curvature| of the robot path rake down, 1/m
+    double drawn = 0;         ///< m of rake path, rake down
+    double up_straight = 0;   ///< m, stroke end to stroke start, rake centre
+    double up_dubins = 0;     ///< m, robot pose to robot pose, Dubins: the lower bound for this order
+    double up_driven = 0;     ///< m driven by P between strokes (connections, leads), loops apart
+    double loops_driven = 0;  ///< m driven in corner loops
+    double in_driven = 0, out_driven = 0;  ///< m of up_driven before the first stroke, after the last
+    double time = 0;                       ///< s
+    double tightest_up = 0;                ///< largest |curvature| rake up on connections and loops, 1/m
+    double tightest_drawn = 0;             ///< largest |curvature| of the robot path rake down, 1/m
     int corners_exact = 0, corners_rounded = 0, corners_looped = 0, corners_pivoted = 0;
     int direct = 0;     ///< gaps joined directly (under connect.min_length)
     int fallbacks = 0;  ///< anything done another way than asked; each has a warning
@@ -269,7 +284,16 @@ struct Plan {
     bool operator==(const Plan&) const = default;
 };
 
-/// Canvas grown by the run-out: where the robot's footprint must stay.
+/// Where the robot's footprint must stay, and what it must not reach into.
+struct DriveArea {
+    Region border;
+    std::vector<Region> keep_out;  ///< may overlap
+};
+/// border: of field.border, else the drawing's, else the canvas grown by the run-out. keep_out: those of
+/// field.keep_out and the drawing's. Texts that cannot be read hold nothing.
+DriveArea drive_area_of(const Drawing& drawing, const Options& options, const Robot& robot);
+DriveArea drive_area_of(const Plan& plan);
+/// The border's box.
 Box field_of(const Plan& plan);
 
 }  // namespace strandline

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 
+#include "base/units/units.hpp"
 #include "plan/model/model.hpp"
 
 namespace strandline {
@@ -120,8 +122,13 @@ Outcome<void> valid(const svg::Hint& hint) {
         if (!hint.value.empty()) return {};
         return fail(hint.name, "says nothing of what the stop is for", "write for example \"another rake\"");
     }
+    if (hint.name == "field") {
+        if (hint.value == "keep-out" || hint.value == "border") return {};
+        return fail(hint.name, fmt::format("\"{}\" is neither keep-out nor border", hint.value));
+    }
     if (Options scratch; is_fill_hint(hint)) return set(scratch, hint);
-    return fail(hint.name, "there is no such hint", "use ink, pins, tool, order, start, pause or fill-*");
+    return fail(hint.name, "there is no such hint",
+                "use ink, pins, tool, order, start, pause, field or fill-*");
 }
 
 Outcome<std::vector<InkRule>> rules_of(const std::string& text) {
@@ -135,5 +142,29 @@ Outcome<std::vector<InkRule>> rules_of(const std::string& text) {
 }
 
 std::vector<std::string> names_of(const std::string& text) { return split(text, ';'); }
+
+Outcome<std::vector<Polygon>> outlines_of(const std::string& text, const std::string& place) {
+    constexpr auto remedy =
+        "write x,y x,y x,y for an area and ; between areas, as in 0,0 2,0 1,2; 5,5 6,5 6,6";
+    constexpr double least_area = 1e-6;  // m^2
+    std::vector<Polygon> outlines;
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ';');) {
+        std::istringstream words(part);
+        Polygon outline;
+        for (std::string word; words >> word;) {
+            const std::size_t comma = word.find(',');
+            const auto x = parse_length(word.substr(0, comma), place),
+                       y = parse_length(comma == std::string::npos ? "" : word.substr(comma + 1), place);
+            if (!x || !y) return fail(place, fmt::format("{} is no point", word), remedy);
+            outline.push_back({*x, *y});
+        }
+        if (outline.empty()) continue;
+        if (outline.size() < 3 || area(outline) < least_area)
+            return fail(place, fmt::format("outline {} bounds no area", outlines.size() + 1), remedy);
+        outlines.push_back(std::move(outline));
+    }
+    return outlines;
+}
 
 }  // namespace strandline

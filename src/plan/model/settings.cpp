@@ -608,6 +608,90 @@ std::vector<Setting> make_table() {
          {},
          "",
          [](Options& o) -> Field { return &o.avoid.area_cost; }},
+        {"field.border",
+         "where the robot may drive: corners \"x,y x,y x,y\" in metres on the canvas; empty: the drawing's, "
+         "or "
+         "the canvas and canvas.run_out round it",
+         Kind::text,
+         0,
+         0,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.field.border; }},
+        {"field.keep_out",
+         "where the robot must not go: corners \"x,y x,y x,y\" in metres on the canvas, \";\" between areas",
+         Kind::text,
+         0,
+         0,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.field.keep_out; }},
+        {"park.x",
+         "where the robot is parked: its turning point on the canvas",
+         Kind::length,
+         -far,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.park.x; }},
+        {"park.y",
+         "where the robot is parked: its turning point on the canvas",
+         Kind::length,
+         -far,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.park.y; }},
+        {"park.heading",
+         "where the parked robot looks; 0: along x, counter-clockwise",
+         Kind::angle,
+         -1000,
+         1000,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.park.heading; }},
+        {"park.parked",
+         "the drive begins at park.x, park.y, looking along park.heading; off: at the first stroke",
+         Kind::flag,
+         0,
+         1,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.park.parked; }},
+        {"park.exit_x",
+         "where the drive ends, for exit pose",
+         Kind::length,
+         -far,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.park.exit_x; }},
+        {"park.exit_y",
+         "where the drive ends, for exit pose",
+         Kind::length,
+         -far,
+         far,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.park.exit_y; }},
+        {"park.exit_heading",
+         "where the robot looks at the end, for exit pose",
+         Kind::angle,
+         -1000,
+         1000,
+         {},
+         "",
+         [](Options& o) -> Field { return &o.park.exit_heading; }},
+        {"park.exit",
+         "where the drive ends: at the last stroke, where it was parked, outside the drawing, or at "
+         "park.exit_x, "
+         "park.exit_y, looking along park.exit_heading",
+         Kind::choice,
+         0,
+         0,
+         {"none", "parked", "outside", "pose"},
+         "",
+         [](Options& o) -> Field { return &o.park.exit; }},
         {"trajectory.step",
          "between samples of the robot path",
          Kind::length,
@@ -710,6 +794,8 @@ void switch_on(Options& options, const std::string& key) {
     if (key == "place.x" || key == "place.y") options.place.positioned = true;
     if (key == "tour.start_x" || key == "tour.start_y") options.tour.has_start = true;
     if (key == "tour.end_x" || key == "tour.end_y") options.tour.has_end = true;
+    if (key == "park.x" || key == "park.y" || key == "park.heading") options.park.parked = true;
+    if (key.starts_with("park.exit_")) options.park.exit = "pose";
     if (key == "fill.direction") options.fill.best_direction = false;
 }
 
@@ -734,6 +820,12 @@ Outcome<void> set(Options& options, const std::string& key, const std::string& v
     if (setting->kind == Kind::text) {
         if (key == "drawing.rules")
             if (const auto rules = rules_of(value); !rules) return tl::unexpected(rules.error());
+        if (key == "field.border" || key == "field.keep_out") {
+            const auto outlines = outlines_of(value, key);
+            if (!outlines) return tl::unexpected(outlines.error());
+            if (key == "field.border" && outlines->size() > 1)
+                return fail(key, "holds more than one outline", "what lies between them is a keep-out");
+        }
         *std::get<std::string*>(field) = value;
         return {};
     }
@@ -776,12 +868,21 @@ std::string get(const Options& options, const std::string& key) {
         setting->field(copy));
 }
 
-Box field_of(const Plan& plan) {
-    const Robot& robot = plan.robot;
-    const double reach = std::hypot(std::max(robot.front, robot.back), robot.half_width);
+DriveArea drive_area_of(const Drawing& drawing, const Options& options, const Robot& robot) {
+    DriveArea area;
     const double run_out =
-        plan.options.canvas.run_out >= 0 ? plan.options.canvas.run_out : 2 * robot.min_radius + reach;
-    return grown({{0, 0}, {plan.drawing.canvas.width, plan.drawing.canvas.height}}, run_out);
+        options.canvas.run_out >= 0 ? options.canvas.run_out : 2 * robot.min_radius + footprint_reach(robot);
+    const Box box = grown({{0, 0}, {drawing.canvas.width, drawing.canvas.height}}, run_out);
+    area.border.outer = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+    if (drawing.border) area.border = *drawing.border;
+    const auto asked = outlines_of(options.field.border, "field.border");
+    if (asked && !asked->empty()) area.border = {counter_clockwise(asked->front()), {}};
+    area.keep_out = drawing.keep_out;
+    if (const auto more = outlines_of(options.field.keep_out, "field.keep_out"))
+        for (const Polygon& outline : *more) area.keep_out.push_back({counter_clockwise(outline), {}});
+    return area;
 }
+DriveArea drive_area_of(const Plan& plan) { return drive_area_of(plan.drawing, plan.options, plan.robot); }
+Box field_of(const Plan& plan) { return bounds(drive_area_of(plan).border); }
 
 }  // namespace strandline

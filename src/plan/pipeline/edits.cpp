@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "math/region/region.hpp"
 #include "plan/pipeline/hints.hpp"
 
 namespace strandline::pipeline {
@@ -70,6 +71,26 @@ void erase(Drawing& drawing, std::size_t index) {
     drawing.elements.erase(drawing.elements.begin() + gone);
 }
 
+/// The element becomes a keep-out, or the border: of a line, what it bounds, or the groove that it would
+/// leave.
+void fence(Drawing& drawing, std::size_t index, bool border, const Robot& robot) {
+    constexpr double tolerance = 0.002;  // metres, of curves
+    const Element& element = drawing.elements[index];
+    Regions area;
+    if (const auto* line = std::get_if<LineElement>(&element.what)) {
+        const Polyline points = flattened(line->path, tolerance);
+        area = line->path.closed || border ? resolved({points}, FillRule::nonzero)
+                                           : swept({points}, false, groove_width(robot, line->pins) / 2);
+    } else {
+        area = {std::get<RegionElement>(element.what).region};
+    }
+    if (!border)
+        drawing.keep_out.insert(drawing.keep_out.end(), area.begin(), area.end());
+    else if (!area.empty())
+        drawing.border = area.front();
+    erase(drawing, index);
+}
+
 void ask(Drawing& drawing, std::size_t index, const HintEdit& edit) {
     Element& element = drawing.elements[index];
     std::erase_if(element.hints, [&](const svg::Hint& hint) { return hint.name == edit.name; });
@@ -112,6 +133,9 @@ std::vector<std::string> apply_to_drawing(Drawing& drawing, const std::vector<Ed
         else
             ask(drawing, *index, *hint);
     }
+    for (std::size_t i = drawing.elements.size(); i-- > 0;)
+        if (const std::string* field = value_of(drawing.elements[i].hints, "field"))
+            fence(drawing, i, *field == "border", robot);
     for (std::size_t i = drawing.elements.size(); i-- > 0;)
         if (const std::string* ink = value_of(drawing.elements[i].hints, "ink"); ink && *ink == "off")
             erase(drawing, i);

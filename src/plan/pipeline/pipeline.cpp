@@ -11,6 +11,7 @@
 #include "plan/pipeline/pins.hpp"
 #include "plan/pipeline/shortfalls.hpp"
 #include "plan/pipeline/stages.hpp"
+#include "plan/pipeline/surroundings.hpp"
 
 namespace strandline {
 
@@ -209,6 +210,7 @@ Outcome<void> valid(const Options& options, const Robot& robot) {
                     "pivot needs a robot that turns on the spot, and " + robot.name + " does not",
                     "use loop or round, or set robot.can_pivot=on where the robot can");
     if (auto fits = pipeline::valid_fill(options, robot); !fits) return fits;
+    if (auto fits = pipeline::valid_surroundings(options); !fits) return fits;
     const auto rules = rules_of(options.drawing.rules);
     if (!rules) return tl::unexpected(rules.error());
     for (const InkRule& rule : *rules)
@@ -253,6 +255,7 @@ Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::st
     plan.idle_edits = std::move(idle);
     for (std::string& gone : pipeline::apply_edits(job, edits)) plan.idle_edits.push_back(std::move(gone));
     pipeline::keep_within_batches(job);
+    pipeline::add_surroundings(job, drawing, options, robot);
     auto ordered = order::ordered(job, robot, pipeline::order_options(options, robot), progress);
     if (!ordered) return tl::unexpected(ordered.error());
     for (std::size_t i = 0; i < job.shapes.size(); ++i)
@@ -286,6 +289,7 @@ Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::st
     plan.strokes = std::move(ordered->strokes);
     plan.order = std::move(ordered->entries);
     plan.stops = pipeline::stops_of(plan);
+    pipeline::take_surroundings(plan);
     pipeline::say_shortfalls(plan);
     return plan;
 }

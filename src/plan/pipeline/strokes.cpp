@@ -116,7 +116,8 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
     o.variants = variants_offered;
     // The rake can follow radii above its offset, but the nearer to it the more the bar stands skew: at 1.5 L
     // by 42 degrees, and the groove is a quarter narrower.
-    o.turn_radius = robot.min_radius > 0 && !robot.can_pivot ? 1.5 * robot.rake_offset : 0;
+    o.turn_radius =
+        robot.min_radius > 0 && !robot.can_pivot ? 1.5 * std::hypot(robot.rake_offset, robot.rake_side) : 0;
     o.pivots = robot.can_pivot && robot.pins > 1;  // a pen has no flat end to cut corners with
     o.round_corners = false;  // drive knows at each corner whether the rake can follow a bend
     return o;

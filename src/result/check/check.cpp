@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "result/check/enclosure.hpp"
 #include "result/check/faults.hpp"
 #include "result/sand/sand.hpp"
 
@@ -25,8 +26,8 @@ bool finite(const Curve& curve) {
            });
 }
 bool finite(const Robot& r) {
-    return all_finite({r.rake_offset, r.pin_pitch, r.min_radius, r.left_radius, r.right_radius, r.sharpness,
-                       r.speed, r.travel_speed, r.acceleration, r.turn_rate, r.turn_acceleration,
+    return all_finite({r.rake_offset, r.rake_side, r.pin_pitch, r.min_radius, r.left_radius, r.right_radius,
+                       r.sharpness, r.speed, r.travel_speed, r.acceleration, r.turn_rate, r.turn_acceleration,
                        r.lift_delay, r.front, r.back, r.half_width}) &&
            std::ranges::all_of(r.wheels,
                                [](const Wheel& w) { return is_finite(w.at) && std::isfinite(w.width); });
@@ -47,13 +48,15 @@ bool finite(const Segment& segment) {
 bool finite(const Polygon& polygon) {
     return std::ranges::all_of(polygon, [](Point p) { return is_finite(p); });
 }
+bool finite(const Region& region) {
+    return finite(region.outer) &&
+           std::ranges::all_of(region.holes, [](const Polygon& hole) { return finite(hole); });
+}
 bool finite(const Element& element) {
     if (const auto* line = std::get_if<LineElement>(&element.what))
         return is_finite(line->path.start) &&
                std::ranges::all_of(line->path.segments, [](const Segment& s) { return finite(s); });
-    const Region& region = std::get<RegionElement>(element.what).region;
-    return finite(region.outer) &&
-           std::ranges::all_of(region.holes, [](const Polygon& hole) { return finite(hole); });
+    return finite(std::get<RegionElement>(element.what).region);
 }
 
 /// A number that is none makes every comparison false: nothing else can be proved about such a plan.
@@ -65,6 +68,10 @@ void check_finite(const Plan& plan, Faults& faults) {
     if (!finite(plan.robot)) fault("the robot", {}, -1, -1, -1);
     if (!all_finite({plan.drawing.canvas.width, plan.drawing.canvas.height, plan.options.canvas.run_out}))
         fault("the canvas", {}, -1, -1, -1);
+    const DriveArea area = drive_area_of(plan);
+    if (!finite(area.border) ||
+        !std::ranges::all_of(area.keep_out, [](const Region& r) { return finite(r); }))
+        fault("the field", {}, -1, -1, -1);
     for (std::size_t e = 0; e < plan.drawing.elements.size(); ++e)
         if (!finite(plan.drawing.elements[e]))
             fault(fmt::format("element {}", e), {}, -1, -1, static_cast<int>(e));
@@ -172,6 +179,8 @@ const char* name_of(Law law) {
             return "acceleration";
         case Law::time:
             return "time";
+        case Law::ends:
+            return "ends";
         case Law::field:
             return "field";
         case Law::pins:
@@ -206,6 +215,7 @@ Report prove(const Plan& plan, const Options& wished, const Progress& progress) 
     if (!report.faults.empty()) return report;
     check_drawn(plan, options, faults, report);
     check_motion(plan, faults, report);
+    check_ends(plan, faults);
     check_sand(plan, options, faults, report, progress);
     measure_finished(plan, report);
     report.faults = faults.take();

@@ -24,6 +24,7 @@ enum class Law {
     field,
     pins,
     offset,
+    ends,
     step
 };
 const char* name_of(Law law);

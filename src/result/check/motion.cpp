@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "result/check/enclosure.hpp"
 #include "result/check/faults.hpp"
 
 namespace strandline::check {
@@ -50,8 +51,7 @@ class Judge {
           robot_(plan.robot),
           faults_(faults),
           report_(report),
-          field_(grown(field_of(plan), rounding)),
-          body_(footprint(plan.robot)),
+          field_(plan),
           turns_freely_(plan.robot.min_radius <= 0) {}
 
     void judge() {
@@ -112,19 +112,14 @@ class Judge {
         pins(s, last);
     }
 
-    Point rake_place(Pose pose) const { return pose.at - robot_.rake_offset * unit(pose.heading); }
+    Point rake_place(Pose pose) const {
+        const Point ahead = unit(pose.heading);
+        return pose.at - robot_.rake_offset * ahead + robot_.rake_side * left_normal(ahead);
+    }
 
     void inside_field(const Sample& s, double heading) {
-        const Point forward = unit(heading);
-        double outside = 0;
-        for (Point corner : body_) {
-            const Point p = s.pose.at + corner.x * forward + corner.y * left_normal(forward);
-            outside = std::max(
-                {outside, field_.low.x - p.x, p.x - field_.high.x, field_.low.y - p.y, p.y - field_.high.y});
-        }
-        if (outside > 0)
-            fault(Law::field, outside, s,
-                  fmt::format("the footprint is {:.3f} m outside the field, allowed 0 m", outside));
+        if (const auto found = field_.trespass(s.pose.at, heading))
+            fault(Law::field, found->metres, s, found->what);
     }
 
     void pins(const Sample& s, bool last) {
@@ -322,8 +317,7 @@ class Judge {
     const Robot& robot_;
     Faults& faults_;
     Report& report_;
-    Box field_;
-    Polygon body_;
+    Enclosure field_;
     bool turns_freely_;
     int at_ = 0;
 };

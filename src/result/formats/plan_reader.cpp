@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +16,9 @@ namespace {
 
 /// Keys that files of this version did not always have: absent, they keep their defaults.
 bool came_later(std::string_view key) {
-    return key == "left_radius" || key == "right_radius" || key == "blemishes";
+    constexpr std::array<std::string_view, 8> later{"left_radius", "right_radius", "rake_side", "blemishes",
+                                                    "in_driven",   "out_driven",   "border",    "keep_out"};
+    return std::ranges::find(later, key) != later.end();
 }
 
 template <class T>

@@ -25,6 +25,7 @@ template <class Visit>
 void fields(Either<Robot> auto& robot, Visit&& field) {
     field("name", robot.name);
     field("rake_offset", robot.rake_offset);
+    field("rake_side", robot.rake_side);
     field("pins", robot.pins);
     field("pin_pitch", robot.pin_pitch);
     field("min_radius", robot.min_radius);
@@ -102,6 +103,8 @@ void fields(Either<Drawing> auto& drawing, Visit&& field) {
     field("scale_denominator", drawing.scale_denominator);
     field("to_canvas", drawing.to_canvas);
     field("start", drawing.start);
+    field("border", drawing.border);
+    field("keep_out", drawing.keep_out);
     field("counts", drawing.counts);
     field("warnings", drawing.warnings);
     field("elements", drawing.elements);
@@ -152,6 +155,8 @@ void fields(Either<Figures> auto& figures, Visit&& field) {
     field("up_dubins", figures.up_dubins);
     field("up_driven", figures.up_driven);
     field("loops_driven", figures.loops_driven);
+    field("in_driven", figures.in_driven);
+    field("out_driven", figures.out_driven);
     field("time", figures.time);
     field("tightest_up", figures.tightest_up);
     field("tightest_drawn", figures.tightest_drawn);

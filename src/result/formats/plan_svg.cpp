@@ -13,6 +13,7 @@ using sketch::Sketch;
 
 constexpr int decimals = 2;
 constexpr double pixels = 1000;  // of the picture's width
+constexpr const char* fence = "#6b2f8f";
 constexpr const char *sand = "#efe3c8", *down = "#000", *up = "#d3261a", *start = "#1f8a3b", *end = "#1b4f9c";
 
 /// User units a metre: the power of ten that makes the picture 1,000 to 10,000 units wide. A beach is drawn
@@ -106,6 +107,23 @@ void write_trips(SvgWriter& out, const Sketch& sketch) {
     out.put("</g>\n");
 }
 
+void write_fences(SvgWriter& out, const Sketch& sketch) {
+    if (sketch.keep_outs.empty() && sketch.border.empty()) return;
+    out.put("<g id=\"field\" stroke=\"", fence, "\" stroke-width=\"", out.em(0.12), "\">\n");
+    for (const Region& keep_out : sketch.keep_outs) {
+        out.put("<path fill=\"", fence, "\" fill-opacity=\"0.25\" fill-rule=\"evenodd\" d=\"");
+        out.area(keep_out.outer);
+        for (const Polygon& hole : keep_out.holes) out.area(hole);
+        out.put("\"/>\n");
+    }
+    if (!sketch.border.empty()) {
+        out.put("<path fill=\"none\" stroke-dasharray=\"", out.em(0.6), "\" d=\"");
+        out.area(sketch.border);
+        out.put("\"/>\n");
+    }
+    out.put("</g>\n");
+}
+
 void write_start(SvgWriter& out, Point at) {
     out.put("<circle cx=\"", out.x(at), "\" cy=\"", out.y(at), "\" r=\"", out.em(0.45), "\" fill=\"", start,
             "\" stroke=\"#fff\" stroke-width=\"", out.em(0.1), "\"/>\n");
@@ -138,6 +156,18 @@ void write_sign(SvgWriter& out, const Sketch& sketch, const LegendItem& item) {
             break;
         case LegendItem::Sign::end:
             write_end(out, sketch, middle);
+            break;
+        case LegendItem::Sign::keep_out:
+            out.put("<rect ");
+            out.box({from - Point{0, 0.4 * sketch.em}, to + Point{0, 0.4 * sketch.em}});
+            out.put(" fill=\"", fence, "\" fill-opacity=\"0.25\" stroke=\"", fence, "\" stroke-width=\"",
+                    out.em(0.12), "\"/>\n");
+            break;
+        case LegendItem::Sign::border:
+            out.put("<path fill=\"none\" stroke=\"", fence, "\" stroke-width=\"", out.em(0.12),
+                    "\" stroke-dasharray=\"", out.em(0.6), "\" d=\"");
+            out.path({from, to});
+            out.put("\"/>\n");
             break;
         case LegendItem::Sign::rule: {
             line(down, out.em(0.1));
@@ -172,6 +202,7 @@ std::string write_svg(const Plan& plan) {
     out.box(sketch.canvas);
     out.put(" fill=\"", sand, "\" stroke=\"#b9a67c\" stroke-width=\"", out.em(0.06), "\"/>\n");
     write_grooves(out, plan, sketch);
+    write_fences(out, sketch);
     write_trips(out, sketch);
     if (sketch.driven) {
         write_end(out, sketch, sketch.end);

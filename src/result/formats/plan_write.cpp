@@ -68,8 +68,10 @@ class PlanWriter {
     void put(int value) { add_number(out_, static_cast<long long>(value)); }
     void put(bool value) { add(out_, value ? "true" : "false"); }
     void put(const std::string& value) { add_string(out_, value); }
-    void put(const std::optional<double>& value) { value ? put(*value) : add(out_, "null"); }
-    void put(const std::optional<Point>& value) { value ? put(*value) : add(out_, "null"); }
+    template <class T>
+    void put(const std::optional<T>& value) {
+        value ? put(*value) : add(out_, "null");
+    }
     void put(const std::vector<std::string>& values) {
         list(values, "", [&](const std::string& value) { put(value); });
     }

@@ -27,7 +27,7 @@ constexpr Colour beach{0.875, 0.812, 0.675}, canvas{0.937, 0.886, 0.769}, canvas
 constexpr Colour grain_dark{0.45, 0.36, 0.20, 0.16}, grain_light{1, 0.98, 0.92, 0.35};
 constexpr Colour berm{0.99, 0.955, 0.87, 0.6}, groove{0.13, 0.105, 0.08}, ridge{0.80, 0.70, 0.53, 0.48};
 constexpr Colour up{0.83, 0.13, 0.09}, start{0.10, 0.56, 0.24}, end{0.10, 0.32, 0.66}, white{1, 1, 1};
-constexpr Colour ink{0.17, 0.14, 0.09};
+constexpr Colour ink{0.17, 0.14, 0.09}, fence{0.42, 0.18, 0.56}, fenced{0.42, 0.18, 0.56, 0.25};
 
 class Painter {
   public:
@@ -149,6 +149,37 @@ void paint_trips(Painter& paint, const Sketch& sketch) {
         for (const Pose& arrow : trip.arrows) paint.area(sketch::arrow_head(arrow, 0.85 * sketch.em), up);
 }
 
+void dashed(Painter& paint, const Polyline& line) {
+    const double dash = paint.em(0.6);
+    cairo_set_dash(paint.cairo(), &dash, 1, 0);
+    paint.line(line, paint.em(0.12), fence);
+    cairo_set_dash(paint.cairo(), nullptr, 0, 0);
+}
+
+void paint_fences(Painter& paint, const Sketch& sketch) {
+    for (const Region& keep_out : sketch.keep_outs) {
+        cairo_new_path(paint.cairo());
+        const auto ring = [&](const Polygon& outline) {
+            cairo_new_sub_path(paint.cairo());
+            paint.trace(outline);
+            cairo_close_path(paint.cairo());
+        };
+        ring(keep_out.outer);
+        for (const Polygon& hole : keep_out.holes) ring(hole);
+        cairo_set_fill_rule(paint.cairo(), CAIRO_FILL_RULE_EVEN_ODD);
+        paint.colour(fenced);
+        cairo_fill_preserve(paint.cairo());
+        cairo_set_fill_rule(paint.cairo(), CAIRO_FILL_RULE_WINDING);
+        paint.colour(fence);
+        cairo_set_line_width(paint.cairo(), paint.em(0.12));
+        cairo_stroke(paint.cairo());
+    }
+    Polyline border = sketch.border;
+    if (border.empty()) return;
+    border.push_back(border.front());
+    dashed(paint, border);
+}
+
 void paint_start(Painter& paint, Point at) {
     cairo_new_path(paint.cairo());
     cairo_arc(paint.cairo(), paint.x(at), paint.y(at), paint.em(0.48), 0, 2 * pi);
@@ -176,6 +207,15 @@ void paint_sign(Painter& paint, const Sketch& sketch, const LegendItem& item) {
         case LegendItem::Sign::end:
             paint_end(paint, sketch, middle);
             break;
+        case LegendItem::Sign::keep_out: {
+            const Point high{0, 0.4 * sketch.em};
+            paint.area({from - high, to - high, to + high, from + high}, fenced);
+            paint.line({from - high, to - high, to + high, from + high, from - high}, paint.em(0.12), fence);
+            break;
+        }
+        case LegendItem::Sign::border:
+            dashed(paint, {from, to});
+            break;
         case LegendItem::Sign::rule: {
             const Point tick{0, 0.3 * sketch.em};
             paint.line({from, to}, paint.em(0.12), ink);
@@ -188,6 +228,7 @@ void paint_sign(Painter& paint, const Sketch& sketch, const LegendItem& item) {
 void paint_all(Painter& paint, const Plan& plan, const Sketch& sketch) {
     paint_sand(paint, sketch);
     paint_grooves(paint, plan, sketch);
+    paint_fences(paint, sketch);
     paint_trips(paint, sketch);
     if (sketch.driven) {
         paint_end(paint, sketch, sketch.end);

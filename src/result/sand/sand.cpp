@@ -134,7 +134,7 @@ class Layer {
         Box box;
         for (const Sample& sample : plan_.samples)
             if (contains(field_, sample.pose.at)) box = including(box, sample.pose.at);
-        double reach = plan_.robot.rake_offset + plan_.robot.rake_width();
+        double reach = plan_.robot.rake_offset + std::abs(plan_.robot.rake_side) + plan_.robot.rake_width();
         for (const Wheel& wheel : plan_.robot.wheels) reach = std::max(reach, length(wheel.at) + wheel.width);
         return box.empty() ? box : grown(box, reach);
     }

@@ -49,6 +49,11 @@ std::vector<Pose> arrows_on(const Polyline& track, double em) {
     return arrows;
 }
 
+Box intersection(Box a, Box b) {
+    return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+            {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
+}
+
 std::string metres_text(double metres) { return fmt::format("{:.{}f} m", metres, metres < 10 ? 2 : 1); }
 
 std::string time_text(double seconds) {
@@ -75,7 +80,7 @@ std::string shortened(std::string title) {
     return title.substr(0, cut) + "…";
 }
 
-/// Two rows under everything drawn: title and figures, then the signs.
+/// Rows under everything drawn: title and figures, then the signs.
 void lay_legend(Sketch& sketch, const Plan& plan) {
     const double em = sketch.em;
     const Figures& figures = plan.figures;
@@ -91,7 +96,8 @@ void lay_legend(Sketch& sketch, const Plan& plan) {
     sketch.caption_at = {left + title_width, y};
     y -= 2 * em;
     const double rule = rule_length(sketch.view.width() / 7);
-    auto add = [&, x = left](LegendItem::Sign sign, double width, std::string text) mutable {
+    double x = left;
+    const auto add = [&](LegendItem::Sign sign, double width, std::string text) {
         const double advance = static_cast<double>(text.size()) * letter_advance * em;
         sketch.legend.push_back(
             {sign, {x, y}, {x + width + gap * em, y - 0.34 * em}, width, std::move(text)});
@@ -103,6 +109,12 @@ void lay_legend(Sketch& sketch, const Plan& plan) {
     add(Sign::start, 0.9 * em, "start");
     add(Sign::end, 0.9 * em, "end");
     add(Sign::rule, rule, fmt::format("{} m", rule));
+    if (!sketch.keep_outs.empty() || !sketch.border.empty()) {  // a row of their own
+        x = left;
+        y -= 1.7 * em;
+    }
+    if (!sketch.keep_outs.empty()) add(Sign::keep_out, sign_width * em, "keep-out");
+    if (!sketch.border.empty()) add(Sign::border, sign_width * em, "field");
     sketch.view.low.y = y - (0.6 + pad) * em;
 }
 
@@ -151,6 +163,14 @@ Sketch sketched(const Plan& plan, const Options& options) {
     for (const Sample& sample : plan.samples)
         drawn = united(
             drawn, sample.mask ? grown({sample.rake, sample.rake}, reach) : Box{sample.rake, sample.rake});
+    const DriveArea area = drive_area_of(plan);
+    sketch.keep_outs = area.keep_out;
+    if (plan.drawing.border || !plan.options.field.border.empty()) sketch.border = area.border.outer;
+    // One that is somewhere else altogether stays out of the picture.
+    const Box near = grown(drawn, std::max(drawn.width(), drawn.height()) / 4);
+    for (const Region& keep_out : area.keep_out)
+        if (overlaps(bounds(keep_out), near)) drawn = united(drawn, intersection(bounds(keep_out), near));
+    if (!sketch.border.empty()) drawn = united(drawn, intersection(bounds(sketch.border), near));
     sketch.em = drawn.width() / (view_ems - 2 * pad);
     sketch.view = grown(drawn, pad * sketch.em);
     if (!drawable(sketch)) return sketch;

@@ -43,7 +43,7 @@ struct Trip {
 /// One entry of the legend: its sign begins at `at` (left middle), its text at `text_at` (left, on the base
 /// line).
 struct LegendItem {
-    enum class Sign { groove, trip, start, end, rule };
+    enum class Sign { groove, trip, start, end, keep_out, border, rule };
     Sign sign;
     Point at, text_at;
     double sign_width;
@@ -55,6 +55,8 @@ struct LegendItem {
 struct Sketch {
     Box canvas, view;  ///< view: all that is drawn, legend included
     double em = 0;
+    std::vector<Region> keep_outs;
+    Polygon border;               ///< of the field, where it is another than the canvas and its run-out
     std::vector<Groove> grooves;  ///< in driving order
     std::vector<Trip> trips;
     bool driven = false;         ///< false: no samples; start and end are meaningless

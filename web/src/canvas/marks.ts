@@ -40,7 +40,7 @@ export function paintFaults(ctx: Ctx, report: Report | null, drive: Drive, camer
 /** The robot to scale: footprint, wheels, the bar and which of its pins are down. */
 export function paintRobot(ctx: Ctx, s: Samples, drive: Drive, index: number, scale: number): void {
   if (s.count === 0) return
-  const { front, back, half_width, wheels, rake_offset, pins, pin_pitch } = drive.robot
+  const { front, back, half_width, wheels, rake_offset, rake_side, pins, pin_pitch } = drive.robot
   ctx.save()
   ctx.translate(s.x[index], s.y[index])
   ctx.rotate(s.heading[index])
@@ -60,13 +60,13 @@ export function paintRobot(ctx: Ctx, s: Samples, drive: Drive, index: number, sc
   ctx.stroke()
   ctx.lineWidth = Math.max(0.02, 2 / scale)
   ctx.beginPath()
-  ctx.moveTo(-rake_offset, (-pins * pin_pitch) / 2)
-  ctx.lineTo(-rake_offset, (pins * pin_pitch) / 2)
+  ctx.moveTo(-rake_offset, rake_side - (pins * pin_pitch) / 2)
+  ctx.lineTo(-rake_offset, rake_side + (pins * pin_pitch) / 2)
   ctx.stroke()
   const mask = s.mask[index]
   for (let i = 0; i < pins; i++) {
     ctx.beginPath()
-    ctx.arc(-rake_offset, (i - (pins - 1) / 2) * pin_pitch, Math.max(pin_pitch * 0.32, 1.5 / scale), 0, 2 * Math.PI)
+    ctx.arc(-rake_offset, rake_side + (i - (pins - 1) / 2) * pin_pitch, Math.max(pin_pitch * 0.32, 1.5 / scale), 0, 2 * Math.PI)
     ctx.fillStyle = mask & (1 << i) ? palette.trip : '#f7f0e0'
     ctx.fill()
     ctx.lineWidth = 1 / scale

@@ -41,12 +41,28 @@ export function paintSand(ctx: Ctx, drawing: Drawing | null, camera: Camera, rat
   ctx.lineWidth = 1.5 / camera.scale
   ctx.strokeStyle = palette.edge
   ctx.strokeRect(0, 0, width, height)
-  const [x0, y0, x1, y1] = drawing.field
   ctx.setLineDash([6 / camera.scale, 6 / camera.scale])
   ctx.lineWidth = 1 / camera.scale
   ctx.strokeStyle = palette.field
-  ctx.strokeRect(x0, y0, x1 - x0, y1 - y0)
+  ctx.beginPath()
+  ring(ctx, drawing.border)
+  ctx.stroke()
   ctx.setLineDash([])
+  for (const rings of drawing.keep_out) {
+    ctx.beginPath()
+    for (const points of rings) ring(ctx, points)
+    ctx.fillStyle = palette.keepOut
+    ctx.fill('evenodd')
+    ctx.strokeStyle = palette.keepOutEdge
+    ctx.stroke()
+  }
+}
+
+function ring(ctx: Ctx, points: number[]): void {
+  for (let i = 0; i + 1 < points.length; i += 2)
+    if (i === 0) ctx.moveTo(points[0], points[1])
+    else ctx.lineTo(points[i], points[i + 1])
+  ctx.closePath()
 }
 
 /** Metres between lines of the grid: at least 48 pixels, 1, 2 or 5 in front. */

@@ -5,6 +5,8 @@ export const palette = {
   sandDark: '#dccba6',
   edge: '#b39d70',
   field: 'rgba(120, 95, 50, 0.55)',
+  keepOut: 'rgba(107, 47, 143, 0.22)',
+  keepOutEdge: '#6b2f8f',
   grid: 'rgba(110, 85, 45, 0.13)',
   gridStrong: 'rgba(110, 85, 45, 0.26)',
   ink: '#2f2a20',

@@ -16,6 +16,9 @@ const names: Record<string, string> = {
   tour: 'Order',
   corner: 'Corners',
   connect: 'Connections',
+  avoid: 'Going round',
+  field: 'Field and keep-outs',
+  park: 'Parking and exit',
   trajectory: 'Trajectory',
 }
 const firstOpen = new Set(['canvas', 'place'])

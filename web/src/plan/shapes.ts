@@ -24,6 +24,7 @@ export function tripsOf(drawing: Drawing | null, drive: Drive | null, samples: S
   const trips: Trip[] = []
   drive.connections.forEach((connection, index) => {
     const [a, b] = [drive.strokes[connection.from], drive.strokes[connection.to]]
+    if (!a || !b) return // to the first stroke, or to the exit: no two elements
     if (a.element === b.element || a.last < 0 || b.first < 0) return
     let first = a.last
     while (first < b.first && samples.motion[first] !== drivesUp) first++
