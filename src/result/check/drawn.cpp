@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "result/check/faults.hpp"
-#include "result/check/nearest.hpp"
+#include "math/nearest/nearest.hpp"
 
 namespace strandline::check {
 namespace {

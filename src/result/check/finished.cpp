@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "result/check/faults.hpp"
-#include "result/check/nearest.hpp"
+#include "math/nearest/nearest.hpp"
 
 namespace strandline::check {
 namespace {
