@@ -66,6 +66,18 @@ struct RenderArguments {
 };
 int render(const RenderArguments& arguments, const Common& common);
 
+struct SimulateArguments {
+    std::vector<std::string> inputs;  ///< a plan, the pair of robot texts, or a CSV
+    std::string output, flaws, log, against, cell;
+    PlanArguments wishes;              ///< robot, canvas, place and settings for drives that are no plan
+    std::optional<std::string> noise;  ///< metres; "": the robot's
+    std::string wander, delay;
+    unsigned long long seed = 1;
+    bool late_pins = false;
+    int pixels = 1200;
+};
+int simulate(const SimulateArguments& arguments, const Common& common);
+
 int list_settings(const Common& common);
 /// Without a name: the built-in names; with one: its profile as TOML. As JSON: the robots themselves.
 int show_robot(const std::string& name, const Common& common);

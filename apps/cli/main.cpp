@@ -140,6 +140,39 @@ void add_results(CLI::App& app, ExportArguments& e, CheckArguments& c, RenderArg
     render->callback([&] { chosen = [&] { return cli::render(r, common); }; });
 }
 
+void add_simulate(CLI::App& app, SimulateArguments& a, const Common& common, std::function<int()>& chosen) {
+    CLI::App* simulate = app.add_subcommand(
+        "simulate", "drives a plan, or a drive of any origin, and measures what it leaves in the sand");
+    simulate->add_option("input", a.inputs, "plan file, or robot.txt rake.txt, or drive.csv")
+        ->required()
+        ->expected(1, 2);
+    simulate->add_option("-o,--output", a.output, "sand.png: the sand seen from above");
+    simulate->add_option("--flaws", a.flaws, "flaws.png: what is wrong, each kind in a colour");
+    simulate->add_option("--cell", a.cell, "of the raster; default 1cm, a sixth of a pin where that is less");
+    simulate->add_option("--pixels", a.pixels, "longer side of a picture")
+        ->check(CLI::Range(64, 16000))
+        ->capture_default_str();
+    simulate->add_option("--against", a.against, "drawing or plan that the sand is held against");
+    simulate->add_option("--noise", a.noise, "let a controller drive; of each fix of its place, default 1cm")
+        ->expected(0, 1);
+    simulate->add_option("--wander", a.wander, "of the slow drift of that place, default 1cm");
+    simulate->add_option("--delay", a.delay, "of fixes, default 0.12s");
+    simulate->add_option("--seed", a.seed, "of the noise")->capture_default_str();
+    simulate->add_flag("--late-pins", a.late_pins, "pins are told when they should be there, not before");
+    simulate->add_option("--log", a.log, "drive.csv: how the controller drove");
+    simulate->add_option("--robot", a.wishes.robot, "of a drive that is no plan");
+    simulate->add_option("--canvas", a.wishes.canvas, "--against a drawing: as for plan");
+    simulate->add_option("--place", a.wishes.place, "--against a drawing: as for plan");
+    simulate->add_option("--margin", a.wishes.margin, "--against a drawing: as for plan");
+    simulate->add_option("--set", a.wishes.settings, "--against a drawing: as for plan");
+    simulate->footer(R"(Examples:
+  strandline simulate lion.json -o sand.png --flaws flaws.png
+  strandline simulate lion.json --noise --seed 7 --log drive.csv
+  strandline simulate lion.json --noise 0 --wander 0 --delay 0.12s
+  strandline simulate lion_robot.txt lion_rake.txt --against lion.svg --json)");
+    simulate->callback([&] { chosen = [&] { return cli::simulate(a, common); }; });
+}
+
 #ifdef STRANDLINE_EDITOR
 void add_serve(CLI::App& app, ServeArguments& a, const Common& common, std::function<int()>& chosen) {
     CLI::App* serve =
@@ -206,6 +239,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     ExportArguments exported;
     CheckArguments check;
     RenderArguments render;
+    SimulateArguments simulate;
     TourArguments tour;
     FillArguments fill;
     ConnectArguments connect;
@@ -215,6 +249,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     add_text(app, text, common, chosen);
     add_trace(app, trace, common, chosen);
     add_results(app, exported, check, render, common, chosen);
+    add_simulate(app, simulate, common, chosen);
     CLI::App* settings = app.add_subcommand("settings", "lists everything that can be set");
     settings->footer(
         "With --json: [{\"key\", \"kind\", \"unit\", \"default\", \"low\", \"high\", \"choices\", "

@@ -139,8 +139,8 @@ void for_cells_in(const Grid& grid, std::span<const Point> convex, What what) {
 struct RowRun {
     int row, first, end;
 };
-/// The cells whose centres lie in the region, even-odd over all its outlines, between the rows of `within`: by
-/// row, then column. O(corners log corners + rows met + runs).
+/// The cells whose centres lie in the region, even-odd over all its outlines, between the rows of `within`:
+/// by row, then column. O(corners log corners + rows met + runs).
 std::vector<RowRun> runs_in(const Grid& grid, const Region& region, Box within);
 
 /// Cells that hang together by edges.

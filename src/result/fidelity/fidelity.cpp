@@ -145,15 +145,17 @@ const char* name_of(Flaw flaw) {
     return "";
 }
 
-surface::Drive drive_of(const Plan& plan) {
-    surface::Drive drive{plan.robot, plan.samples, {}};
-    drive.elements.reserve(plan.samples.size());
-    for (const Sample& sample : plan.samples) {
-        const bool known = sample.stroke >= 0 && sample.stroke < static_cast<int>(plan.strokes.size());
-        drive.elements.push_back(
-            known ? plan.strokes[static_cast<std::size_t>(sample.stroke)].element : -1);
+std::vector<int> elements_of(const std::vector<Sample>& samples, const std::vector<Stroke>& strokes) {
+    std::vector<int> elements;
+    elements.reserve(samples.size());
+    for (const Sample& sample : samples) {
+        const bool known = sample.stroke >= 0 && sample.stroke < static_cast<int>(strokes.size());
+        elements.push_back(known ? strokes[static_cast<std::size_t>(sample.stroke)].element : -1);
     }
-    return drive;
+    return elements;
+}
+surface::Drive drive_of(const Plan& plan) {
+    return {plan.robot, plan.samples, elements_of(plan.samples, plan.strokes)};
 }
 
 Judged judged(const Drawing& drawing, const surface::Drive& drive, const Options& options,

@@ -9,9 +9,9 @@ namespace strandline::fidelity {
 
 /// What is wrong with a patch of sand, worst last.
 enum class Flaw {
-    missing,      ///< wanted, and no pin went through
-    stray,        ///< raked where the drawing is clean
-    track,        ///< a wheel's mark where the drawing is clean
+    missing,        ///< wanted, and no pin went through
+    stray,          ///< raked where the drawing is clean
+    track,          ///< a wheel's mark where the drawing is clean
     track_on_line,  ///< ... in the groove of a finished line
     track_on_fill   ///< ... on a finished area
 };
@@ -27,8 +27,8 @@ struct Report {
     double cell = 0;
     /// Of the areas together. Raked sand counts whether or not it was rolled over later (that is `blemish`).
     double fill_area = 0, fill_perimeter = 0;
-    double fill_union = 0;            ///< raked within areas over areas and what their strokes rake outside
-    double coverage = 1, spill = 0;   ///< shares of fill_area: raked; raked outside by the areas' strokes
+    double fill_union = 0;           ///< raked within areas over areas and what their strokes rake outside
+    double coverage = 1, spill = 0;  ///< shares of fill_area: raked; raked outside by the areas' strokes
     double border_over = 0, border_missing = 0;  ///< cm per m of outline, within half a rake of it
     /// Of lines and areas together.
     double intersection_over_union = 1;
@@ -51,6 +51,8 @@ struct Judged {
     surface::Surface sand;  ///< with what was wanted marked on it
 };
 
+/// What each sample draws by its stroke, -1: nothing.
+std::vector<int> elements_of(const std::vector<Sample>& samples, const std::vector<Stroke>& strokes);
 /// The drive of a plan: its samples, each with the element that it draws.
 surface::Drive drive_of(const Plan& plan);
 /// What each sample of a drive of unknown origin draws: each go with the rake down is given to the element

@@ -86,8 +86,7 @@ void probe_line(const Surface& sand, const Polyline& chords, bool closed, double
 
 }  // namespace
 
-void measure_lines(const Drawing& drawing, const surface::Drive& drive, const Surface& sand,
-                   Report& report) {
+void measure_lines(const Drawing& drawing, const surface::Drive& drive, const Surface& sand, Report& report) {
     const Robot& robot = drive.robot;
     const double tolerance = chord_error * robot.pin_pitch, step = probe_step * robot.pin_pitch;
     std::map<int, SegmentTree> lines;

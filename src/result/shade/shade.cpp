@@ -24,26 +24,53 @@ double at_most_one(double x) { return std::clamp(x, 0.0, 1.0); }
 
 /// One grain's brightness, -1 .. 1: a hash of its cell (splitmix64, Steele, Lea and Flood 2014).
 double grain(int i, int j) {
-    std::uint64_t z = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(i)) << 32) |
-                      static_cast<std::uint32_t>(j);
+    std::uint64_t z =
+        (static_cast<std::uint64_t>(static_cast<std::uint32_t>(i)) << 32) | static_cast<std::uint32_t>(j);
     z += 0x9E3779B97F4A7C15U;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
     return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
 }
 
-double height_at(const Surface& surface, int i, int j) {
-    const Tile* tile = surface.find_tile(i, j);
-    return tile == nullptr ? 0.0 : tile->height[Surface::place_in_tile(i, j)] / 100.0;
-}
+/// Cells of a surface, asked for near to each other: the tile of the last one is remembered.
+class Cells {
+  public:
+    explicit Cells(const Surface& surface) : surface_(surface) {}
+    double height(int i, int j) const {
+        const Tile* tile = tile_of(i, j);
+        return tile == nullptr ? 0.0 : tile->height[Surface::place_in_tile(i, j)] / 100.0;
+    }
+    unsigned bits(int i, int j) const {
+        const Tile* tile = tile_of(i, j);
+        return tile == nullptr ? 0U : tile->bits[Surface::place_in_tile(i, j)];
+    }
+
+  private:
+    const Tile* tile_of(int i, int j) const {
+        const int column = i >> Surface::tile_bits, row = j >> Surface::tile_bits;
+        if (!known_ || column != column_ || row != row_) {
+            latest_ = surface_.find_tile(i, j);
+            column_ = column;
+            row_ = row;
+            known_ = true;
+        }
+        return latest_;
+    }
+    const Surface& surface_;
+    mutable const Tile* latest_ = nullptr;
+    mutable int column_ = 0, row_ = 0;
+    mutable bool known_ = false;
+};
 
 /// A cell as the eye sees it.
-Colour seen(const Surface& surface, int i, int j) {
+Colour seen(const Cells& cells, int i, int j) {
     // The slope towards the light, which comes from the upper left.
-    const double slope = (height_at(surface, i + 1, j) - height_at(surface, i - 1, j)) -
-                         (height_at(surface, i, j + 1) - height_at(surface, i, j - 1));
-    const double height = height_at(surface, i, j);
-    const double wet = at_most_one(-0.75 * height);
+    const double slope =
+        (cells.height(i + 1, j) - cells.height(i - 1, j)) - (cells.height(i, j + 1) - cells.height(i, j - 1));
+    const double height = cells.height(i, j);
+    // Turned sand is damp and darker as a whole, most so in the grooves.
+    const double turned = (cells.bits(i, j) & surface::raked) != 0 ? 0.35 : 0;
+    const double wet = at_most_one(turned - 0.6 * height);
     const double light = std::clamp(1 + 0.22 * slope + 0.10 * height + 0.045 * grain(i, j), 0.35, 1.35);
     const auto mixed = [&](double a, double b) { return std::min(255.0, (a + wet * (b - a)) * light); };
     return {mixed(dry.r, damp.r), mixed(dry.g, damp.g), mixed(dry.b, damp.b)};
@@ -117,27 +144,25 @@ void repaint(Image& image, const Surface& surface, const View& view, Box changed
     };
     const int end_row = pixel_of(lower_right.y + 2, image.rows);
     const int end_column = pixel_of(lower_right.x + 2, image.columns);
+    const Cells cells(surface);
     for (int row = pixel_of(upper_left.y - 1, image.rows); row < end_row; ++row)
         for (int column = pixel_of(upper_left.x - 1, image.columns); column < end_column; ++column)
             image.at(column, row) =
-                pixel(surface, view, column, row, [&](int i, int j) { return seen(surface, i, j); });
+                pixel(surface, view, column, row, [&](int i, int j) { return seen(cells, i, j); });
 }
 
 std::vector<Key> flaw_keys() {
-    return {{good, "as drawn"},
-            {missing, "not raked"},
-            {stray, "raked where it should be clean"},
-            {track, "wheel track"},
-            {on_line, "track on a line"},
-            {on_fill, "track on an area"}};
+    return {{good, "as drawn"},     {missing, "not raked"},       {stray, "raked where it should be clean"},
+            {track, "wheel track"}, {on_line, "track on a line"}, {on_fill, "track on an area"}};
 }
 
 Image flaws(const Surface& surface, const View& view) {
     Image image = blank(view);
+    const Cells cells(surface);
     for (int row = 0; row < image.rows; ++row)
         for (int column = 0; column < image.columns; ++column)
-            image.at(column, row) = pixel(surface, view, column, row,
-                                          [&](int i, int j) { return flaw_at(surface.bits(i, j)); });
+            image.at(column, row) =
+                pixel(surface, view, column, row, [&](int i, int j) { return flaw_at(cells.bits(i, j)); });
     return image;
 }
 

@@ -39,7 +39,8 @@ struct View {
     Point in_pixels(Point p) const;
 };
 
-/// Light on slopes, damp sand in grooves, grains (always the same ones). O(pixels x cells a pixel, at most 16).
+/// Light on slopes, damp sand in grooves, grains (always the same ones). O(pixels x cells a pixel, at most
+/// 16).
 Image sand(const surface::Surface& surface, const View& view);
 /// Only what `changed` holds is painted anew.
 void repaint(Image& image, const surface::Surface& surface, const View& view, Box changed);

@@ -97,8 +97,9 @@ void Layer::lay_to(std::size_t sample) {
         roll(a, b);
         if (a.mask == 0) continue;
         const int element = next_ < drive_.elements.size() ? drive_.elements[next_] : -1;
-        rake(a, b, element >= 0 && static_cast<std::size_t>(element) < options_.fills.size() &&
-                       options_.fills[static_cast<std::size_t>(element)]);
+        rake(a, b,
+             element >= 0 && static_cast<std::size_t>(element) < options_.fills.size() &&
+                 options_.fills[static_cast<std::size_t>(element)]);
     }
 }
 

@@ -14,18 +14,18 @@ namespace strandline::surface {
 
 /// What a cell is, as bits. Raked sand that was rolled over later keeps `raked` and has `rolled` too.
 enum Bit : std::uint8_t {
-    raked = 1,        ///< a pin went through
-    filled = 2,       ///< the last pin was a fill's
-    rolled = 4,       ///< a wheel was there after every pin
-    wanted_fill = 8,  ///< the drawing has an area here; set by who compares, not by a drive
-    wanted_line = 16, ///< ... or a line's groove
-    border = 32       ///< near an area's outline
+    raked = 1,         ///< a pin went through
+    filled = 2,        ///< the last pin was a fill's
+    rolled = 4,        ///< a wheel was there after every pin
+    wanted_fill = 8,   ///< the drawing has an area here; set by who compares, not by a drive
+    wanted_line = 16,  ///< ... or a line's groove
+    border = 32        ///< near an area's outline
 };
 struct Tile {
     static constexpr std::size_t cells = 64 * 64;
     static constexpr float never = -1;
     Tile() { touched.fill(never); }
-    std::array<float, cells> touched;        ///< s, by a pin or a wheel
+    std::array<float, cells> touched;  ///< s, by a pin or a wheel
     std::array<std::uint8_t, cells> bits{};
     std::array<std::int8_t, cells> height{};  ///< of the sand, hundredths of the groove's depth; 0: as it lay
 };
@@ -53,9 +53,9 @@ struct Drive {
 };
 
 struct Options {
-    double cell = 0.01;             ///< metres
-    Box within;                     ///< nothing is laid outside; empty: no bound
-    std::vector<bool> fills = {};   ///< by element: it is an area. Others are lines
+    double cell = 0.01;            ///< metres
+    Box within;                    ///< nothing is laid outside; empty: no bound
+    std::vector<bool> fills = {};  ///< by element: it is an area. Others are lines
 };
 /// One centimetre, or a sixth of a pin where that is less, so that grooves have a shape.
 double cell_for(const Robot& robot);
@@ -82,7 +82,8 @@ class Layer {
 };
 Surface laid(const Drive& drive, const Options& options, const Progress& progress = {});
 
-/// How alike two drives leave the sand: raked cells of both over raked cells of either; 1 where neither rakes.
+/// How alike two drives leave the sand: raked cells of both over raked cells of either; 1 where neither
+/// rakes.
 double intersection_over_union(const Surface& a, const Surface& b);
 
 }  // namespace strandline::surface
