@@ -75,6 +75,7 @@ struct SimulateArguments {
     unsigned long long seed = 1;
     bool late_pins = false;
     int pixels = 1200;
+    double seconds = 15;  ///< of a film
 };
 int simulate(const SimulateArguments& arguments, const Common& common);
 

@@ -146,7 +146,13 @@ void add_simulate(CLI::App& app, SimulateArguments& a, const Common& common, std
     simulate->add_option("input", a.inputs, "plan file, or robot.txt rake.txt, or drive.csv")
         ->required()
         ->expected(1, 2);
-    simulate->add_option("-o,--output", a.output, "sand.png: the sand seen from above");
+    simulate->add_option(
+        "-o,--output", a.output,
+        "sand.png: the sand seen from above; drive.gif, or drive-%03d.png for a picture an instant: "
+        "the drawing as it appears");
+    simulate->add_option("--seconds", a.seconds, "of a film")
+        ->check(CLI::Range(0.5, 3600.0))
+        ->capture_default_str();
     simulate->add_option("--flaws", a.flaws, "flaws.png: what is wrong, each kind in a colour");
     simulate->add_option("--cell", a.cell, "of the raster; default 1cm, a sixth of a pin where that is less");
     simulate->add_option("--pixels", a.pixels, "longer side of a picture")
@@ -167,6 +173,7 @@ void add_simulate(CLI::App& app, SimulateArguments& a, const Common& common, std
     simulate->add_option("--set", a.wishes.settings, "--against a drawing: as for plan");
     simulate->footer(R"(Examples:
   strandline simulate lion.json -o sand.png --flaws flaws.png
+  strandline simulate lion.json -o drive.gif --pixels 480
   strandline simulate lion.json --noise --seed 7 --log drive.csv
   strandline simulate lion.json --noise 0 --wander 0 --delay 0.12s
   strandline simulate lion_robot.txt lion_rake.txt --against lion.svg --json)");

@@ -137,7 +137,8 @@ int plan(const PlanArguments& arguments, const Common& common) {
     if (common.json)
         fmt::print(arguments.output == "-" ? stderr : stdout, "{}\n", formats::write_figures(*made));
     else if (!common.quiet)
-        fmt::print(stderr, "{}", summary(*made, report));
+        fmt::print(stderr, "{}{}", summary(*made, report),
+                   fidelity_rows(fidelity::judged(made->drawing, fidelity::drive_of(*made)).report));
     if (!common.quiet) fmt::print(stderr, "{}", findings(report, common.verbose));
     if (!common.quiet && common.verbose) fmt::print(stderr, "{}", places(*made, report));
     const std::string short_of = arguments.strict ? shortcomings(*made, report) : "";

@@ -7,8 +7,10 @@
 #include "base/units/units.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "machine/pins/pins.hpp"
 #include "plan/pipeline/pipeline.hpp"
 #include "result/fidelity/fidelity.hpp"
+#include "result/film/film.hpp"
 #include "result/formats/formats.hpp"
 #include "result/tracking/tracking.hpp"
 #include "summary.hpp"
@@ -72,6 +74,8 @@ Outcome<Subject> read_subject(const SimulateArguments& a, const Wishes& wishes, 
         const auto rake = read_input(a.inputs[1]);
         if (!rake) return tl::unexpected(rake.error());
         samples = formats::read_beachbot(*text, *rake, robot, a.inputs[0], a.inputs[1]);
+        // The text says what pins are told.
+        if (samples) samples = pins::done(robot, *samples);
     } else {
         samples = formats::read_drive_csv(*text, robot, a.inputs[0]);
     }
@@ -109,11 +113,48 @@ Outcome<tracking::Options> controller(const SimulateArguments& a) {
     return options;
 }
 
+/// drive-%03d.png -> drive-007.png
+std::string numbered(const std::string& path, int number) {
+    const std::size_t percent = path.find('%'), end = path.find('d', percent);
+    const std::string width = path.substr(percent + 1, end - percent - 1);
+    return path.substr(0, percent) + fmt::format("{:0{}}", number, width.empty() ? 1 : std::stoi(width)) +
+           path.substr(end + 1);
+}
+/// Whether the name holds one place for a number: %d, %3d, %04d.
+bool is_numbered(const std::string& path) {
+    const std::size_t percent = path.find('%'), end = path.find_first_not_of("0123456789", percent + 1);
+    constexpr std::size_t most_digits = 3;
+    return percent != std::string::npos && end != std::string::npos && path[end] == 'd' &&
+           end - percent <= most_digits;
+}
+
+Outcome<void> write_film(const SimulateArguments& a, const surface::Drive& drive, const shade::View& view,
+                         double cell, const Progress& progress) {
+    const film::Options options{.cell = cell, .seconds = a.seconds};
+    if (a.output.ends_with(".gif")) {
+        const auto bytes = film::gif(drive, view, options, progress);
+        if (!bytes) return tl::unexpected(bytes.error());
+        return write_output(a.output, *bytes);
+    }
 #ifdef STRANDLINE_PICTURES
-Outcome<void> write_pictures(const SimulateArguments& a, const surface::Surface& sand, const Canvas& canvas) {
-    const shade::View view{{{0, 0}, {canvas.width, canvas.height}}, a.pixels};
+    Outcome<void> done;
+    int number = 0;
+    film::for_frames(drive, view, options, [&](const film::Frame& frame) {
+        const auto bytes = picture::image_png(frame.image);
+        done = bytes ? write_output(numbered(a.output, number++), *bytes) : tl::unexpected(bytes.error());
+        return done && !progress.stopped();
+    });
+    return done;
+#else
+    return fail("-o " + a.output, "this program was built without pictures", "write a .gif");
+#endif
+}
+
+#ifdef STRANDLINE_PICTURES
+Outcome<void> write_flat(const SimulateArguments& a, const surface::Surface& sand, const shade::View& view) {
+    const bool film = a.output.ends_with(".gif") || is_numbered(a.output);
     for (const auto& [path, painted] :
-         {std::pair{a.output, &picture::sand_png}, {a.flaws, &picture::flaws_png}}) {
+         {std::pair{film ? "" : a.output, &picture::sand_png}, {a.flaws, &picture::flaws_png}}) {
         if (path.empty()) continue;
         const auto bytes = painted(sand, view);
         if (!bytes) return tl::unexpected(bytes.error());
@@ -122,15 +163,31 @@ Outcome<void> write_pictures(const SimulateArguments& a, const surface::Surface&
     return {};
 }
 #else
-Outcome<void> write_pictures(const SimulateArguments& a, const surface::Surface&, const Canvas&) {
-    if (a.output.empty() && a.flaws.empty()) return {};
-    return fail("-o, --flaws", "this program was built without pictures", "leave them out");
+Outcome<void> write_flat(const SimulateArguments& a, const surface::Surface&, const shade::View&) {
+    if ((a.output.empty() || a.output.ends_with(".gif")) && a.flaws.empty()) return {};
+    return fail("-o, --flaws", "this program was built without pictures", "write a .gif");
 }
 #endif
+
+Outcome<void> write_pictures(const SimulateArguments& a, const surface::Drive& drive,
+                             const fidelity::Judged& judged, const Canvas& canvas, const Progress& progress) {
+    const shade::View view{{{0, 0}, {canvas.width, canvas.height}}, a.pixels};
+    if (!(canvas.width > 0) || !(canvas.height > 0))
+        return fail("-o", "the canvas has no extent", "check its size");
+    if (const auto written = write_flat(a, judged.sand, view); !written) return written;
+    if (a.output.ends_with(".gif") || is_numbered(a.output))
+        return write_film(a, drive, view, judged.report.cell, progress);
+    return {};
+}
 
 }  // namespace
 
 int simulate(const SimulateArguments& arguments, const Common& common) {
+    const std::string& output = arguments.output;
+    if (!output.empty() && !output.ends_with(".png") && !output.ends_with(".gif"))
+        return complain({"-o " + output, "is neither .png nor .gif",
+                         "name it sand.png, drive.gif, or drive-%03d.png for a picture an instant"},
+                        bad_call);
     const auto wishes = gathered(arguments.wishes);
     if (!wishes) return complain(wishes.error(), bad_call);
     const auto robot = robot_of(*wishes);
@@ -175,7 +232,8 @@ int simulate(const SimulateArguments& arguments, const Common& common) {
         found.same_sand = surface::intersection_over_union(
             judged.sand, fidelity::judged(subject->drawing, own, judging, progress).sand);
     }
-    if (const auto written = write_pictures(arguments, judged.sand, subject->drawing.canvas); !written)
+    if (const auto written = write_pictures(arguments, drive, judged, subject->drawing.canvas, progress);
+        !written)
         return complain(written.error(), bad_input);
     if (common.json)
         fmt::print("{}", formats::write_fidelity(found));

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "result/check/faults.hpp"
 #include "math/nearest/nearest.hpp"
+#include "result/check/faults.hpp"
 
 namespace strandline::check {
 namespace {

@@ -1,8 +1,8 @@
 // How far the robot drives over areas that are finished.
 #include <algorithm>
 
-#include "result/check/faults.hpp"
 #include "math/nearest/nearest.hpp"
+#include "result/check/faults.hpp"
 
 namespace strandline::check {
 namespace {

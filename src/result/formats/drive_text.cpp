@@ -7,7 +7,7 @@
 
 #include "base/units/units.hpp"
 #include "result/formats/formats.hpp"
-#include "result/formats/json_members.hpp"
+#include "result/formats/json_text.hpp"
 
 namespace strandline::formats {
 namespace {
@@ -219,35 +219,6 @@ std::string write_log(const tracking::Driven& driven) {
         }
         add(text, "\n");
     }
-    return text;
-}
-
-std::string write_fidelity(const Simulated& simulated) {
-    const fidelity::Report& r = simulated.fidelity;
-    Text text;
-    Members all(text);
-    all("cell", r.cell)("intersection_over_union", r.intersection_over_union);
-    all("fill_area", r.fill_area)("fill_perimeter", r.fill_perimeter)("fill_union", r.fill_union);
-    all("coverage", r.coverage)("spill", r.spill);
-    all("border_over_cm", r.border_over)("border_missing_cm", r.border_missing);
-    all("missing", r.missing)("stray", r.stray)("track", r.track)("track_on_line", r.track_on_line);
-    all("track_on_fill", r.track_on_fill)("blemish", r.blemish());
-    all("line_length", r.line_length)("lateral_mean", r.lateral_mean)("lateral_rms", r.lateral_rms);
-    all("lateral_max", r.lateral_max)("width_bias", r.width_bias)("width_error", r.width_error);
-    all("undrawn", r.undrawn)("time", simulated.time);
-    if (simulated.planned_time) all("planned_time", *simulated.planned_time);
-    if (simulated.same_sand) all("same_sand", *simulated.same_sand);
-    if (const tracking::Driven* driven = simulated.driven) {
-        all("tracking_mean", driven->mean)("tracking_rms", driven->rms)("tracking_max", driven->most);
-        all.flag("lost", driven->lost);
-    }
-    all.list("places", r.places, [&](const fidelity::Place& place) {
-        Members one(text);
-        one("flaw", std::string_view(fidelity::name_of(place.flaw)))("x", place.at.x)("y", place.at.y);
-        one("area", place.area).close();
-    });
-    all.close();
-    add(text, "\n");
     return text;
 }
 

@@ -43,8 +43,9 @@ std::string write_svg(const Plan& plan);
 std::string write_csv(const Plan& plan);
 /// Figures as JSON for --json.
 std::string write_figures(const Plan& plan);
-/// What check found, as JSON: figures, faults, blemishes.
-std::string write_report(const check::Report& report);
+/// What check found, as JSON: figures, faults, blemishes; and how true the sand is to the drawing, as
+/// "fidelity", where that is known.
+std::string write_report(const check::Report& report, const fidelity::Report* fidelity = nullptr);
 
 /// A pair of 2014 -> the drive. Headings are from the rake to the turning point; a tool at the turning point
 /// looks where it goes. Times follow from the robot's speeds. Error: a line that is not "x y rake", files of

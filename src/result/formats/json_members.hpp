@@ -35,6 +35,14 @@ class Members {
             add(text_, "]");
         });
     }
+    template <class What>
+    void object(const char* key, What&& what) {
+        put(key, [&] {
+            Members one(text_);
+            what(one);
+            one.close();
+        });
+    }
     void close() { add(text_, "}"); }
 
   private:

@@ -16,6 +16,8 @@ struct Look {
 /// PNG bytes: rake down black at true width, rake up red with arrows, start dot, legend with a metre rule.
 Outcome<std::string> png(const Plan& plan, const Look& look = {});
 
+/// PNG bytes of an image.
+Outcome<std::string> image_png(const shade::Image& image);
 /// PNG bytes: the sand after a drive, seen from above (shade::sand).
 Outcome<std::string> sand_png(const surface::Surface& surface, const shade::View& view);
 /// PNG bytes: each flaw in its colour, with the key below (shade::flaws).

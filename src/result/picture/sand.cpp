@@ -41,11 +41,15 @@ void put(const Page& page, const shade::Image& image) {
 
 }  // namespace
 
+Outcome<std::string> image_png(const shade::Image& image) {
+    const Page page(image.columns, image.rows);
+    put(page, image);
+    return page.png();
+}
+
 Outcome<std::string> sand_png(const surface::Surface& surface, const shade::View& view) {
     if (const auto fits = drawable(view); !fits) return tl::unexpected(fits.error());
-    const Page page(view.columns(), view.rows());
-    put(page, shade::sand(surface, view));
-    return page.png();
+    return image_png(shade::sand(surface, view));
 }
 
 Outcome<std::string> flaws_png(const surface::Surface& surface, const shade::View& view) {

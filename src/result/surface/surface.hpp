@@ -54,7 +54,7 @@ struct Drive {
 
 struct Options {
     double cell = 0.01;            ///< metres
-    Box within;                    ///< nothing is laid outside; empty: no bound
+    Box within = {};               ///< nothing is laid outside; empty: no bound
     std::vector<bool> fills = {};  ///< by element: it is an area. Others are lines
 };
 /// One centimetre, or a sixth of a pin where that is less, so that grooves have a shape.

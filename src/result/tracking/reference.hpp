@@ -16,13 +16,14 @@ struct Target {
 /// Asked for times that mostly grow: amortised O(1).
 class Reference {
   public:
-    explicit Reference(const std::vector<Sample>& samples) : samples_(samples) {}
+    Reference(const Robot& robot, const std::vector<Sample>& samples) : robot_(robot), samples_(samples) {}
     double end() const { return samples_.back().t; }
     Target at(double t) const;
     unsigned mask_at(double t) const { return samples_[before(t)].mask; }
 
   private:
     std::size_t before(double t) const;
+    const Robot& robot_;
     const std::vector<Sample>& samples_;
     mutable std::size_t latest_ = 0;
 };

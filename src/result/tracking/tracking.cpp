@@ -99,7 +99,7 @@ class Loop {
           options_(options),
           tick_(1 / options.rate),
           chance_(options.seed),
-          reference_(plan),
+          reference_(robot, plan),
           rake_path_(plan),
           plan_(plan),
           late_(static_cast<std::size_t>(std::lround(options.localisation.delay * options.rate))),
