@@ -46,6 +46,7 @@ struct PlanArguments {
     std::string occlusion;
     std::vector<std::string> layers, rules;
     bool invert = false, strict = false, open = false;
+    std::string max_time, split;
 };
 int plan(const PlanArguments& arguments, const Common& common);
 
@@ -78,6 +79,15 @@ struct SimulateArguments {
     double seconds = 15;  ///< of a film
 };
 int simulate(const SimulateArguments& arguments, const Common& common);
+
+struct ResumeArguments {
+    std::string input, output = "-", from;
+};
+int resume(const ResumeArguments& arguments, const Common& common);
+struct SplitArguments {
+    std::string input, output, every;
+};
+int split(const SplitArguments& arguments, const Common& common);
 
 int list_settings(const Common& common);
 /// Without a name: the built-in names; with one: its profile as TOML. As JSON: the robots themselves.

@@ -69,7 +69,7 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     add_lettering(plan, a.lettering);
     plan->add_option("-o,--output", a.output, "plan file (JSON), or - for stdout")->capture_default_str();
     plan->add_option("--robot", a.robot,
-                     "beachbot, plotter, turf, or a profile file (.toml); default beachbot");
+                     "beachbot, plotter, turf, diffdrive, or a profile file (.toml); default beachbot");
     plan->add_option("--config", a.config, "settings file (.toml)");
     plan->add_option("--set", a.settings,
                      "key=value; keys: strandline settings. robot.FIELD=value changes the robot");
@@ -93,6 +93,10 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->add_flag("--strict", a.strict,
                    "exit 3 when check finds a fault, finished ground is driven over, or anything was done "
                    "another way than asked");
+    plan->add_option("--max-time", a.max_time, "the largest drawing whose drive takes no longer (40min)");
+    plan->add_option(
+        "--split", a.split,
+        "also NAME-1.json, NAME-2.json ...: parts of at most 30min, or 200m, cut at stroke ends");
     plan->add_flag("--open", a.open, "write a picture beside the plan and open it");
     plan->footer(R"(Examples:
   strandline plan lion.svg -o lion.json
@@ -180,6 +184,25 @@ void add_simulate(CLI::App& app, SimulateArguments& a, const Common& common, std
     simulate->callback([&] { chosen = [&] { return cli::simulate(a, common); }; });
 }
 
+void add_parts(CLI::App& app, ResumeArguments& r, SplitArguments& s, const Common& common,
+               std::function<int()>& chosen) {
+    CLI::App* resume = app.add_subcommand("resume", "the rest of a plan, from a stroke on");
+    resume->add_option("input", r.input, "plan file, or -")->required();
+    resume->add_option("--from", r.from, "a time (12min), an element's id, or a place (3.5,2)")->required();
+    resume->add_option("-o,--output", r.output, "plan file, or - for stdout")->capture_default_str();
+    resume->footer(
+        R"(The stroke that was being drawn is drawn again from its beginning; put the robot where the plan begins.
+Example:
+  strandline resume lion.json --from 4min -o rest.json)");
+    resume->callback([&] { chosen = [&] { return cli::resume(r, common); }; });
+    CLI::App* split = app.add_subcommand("split", "a plan in parts, cut at stroke ends");
+    split->add_option("input", s.input, "plan file, or -")->required();
+    split->add_option("--every", s.every, "the most that one part may be: 30min or 200m")->required();
+    split->add_option("-o,--output", s.output, "NAME.json gives NAME-1.json, NAME-2.json ...")->required();
+    split->footer("Example:\n  strandline split crab.json --every 20min -o crab.json");
+    split->callback([&] { chosen = [&] { return cli::split(s, common); }; });
+}
+
 #ifdef STRANDLINE_EDITOR
 void add_serve(CLI::App& app, ServeArguments& a, const Common& common, std::function<int()>& chosen) {
     CLI::App* serve =
@@ -247,6 +270,8 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     CheckArguments check;
     RenderArguments render;
     SimulateArguments simulate;
+    ResumeArguments resume;
+    SplitArguments split;
     TourArguments tour;
     FillArguments fill;
     ConnectArguments connect;
@@ -257,6 +282,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     add_trace(app, trace, common, chosen);
     add_results(app, exported, check, render, common, chosen);
     add_simulate(app, simulate, common, chosen);
+    add_parts(app, resume, split, common, chosen);
     CLI::App* settings = app.add_subcommand("settings", "lists everything that can be set");
     settings->footer(
         "With --json: [{\"key\", \"kind\", \"unit\", \"default\", \"low\", \"high\", \"choices\", "

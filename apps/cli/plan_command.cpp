@@ -9,9 +9,11 @@
 #include <future>
 
 #include "arguments.hpp"
+#include "base/units/units.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "fonts.hpp"
+#include "part_plans.hpp"
 #include "plan/pipeline/pipeline.hpp"
 #include "result/check/check.hpp"
 #include "result/formats/formats.hpp"
@@ -85,6 +87,40 @@ Outcome<void> outputs_apart(const PlanArguments& arguments) {
     return {};
 }
 
+/// The largest drawing whose drive takes at most `most` seconds: the width is halved between one that fits
+/// and one that does not. A plan is made for each; time grows with the width, nearly always.
+Outcome<Plan> planned_within(double most, const svg::Document& document, const std::string& title,
+                             const Robot& robot, Options options, const std::vector<Edit>& edits,
+                             const Progress& progress) {
+    auto whole = make_plan(document, title, robot, options, edits, progress);
+    if (!whole || whole->figures.time <= most) return whole;
+    Box box;
+    for (const Element& element : whole->drawing.elements) box = united(box, bounds(element));
+    const double width = box.width();
+    if (!(width > 0)) return fail("--max-time", "the drawing has no width to make smaller", "leave it out");
+    constexpr int halvings = 7;
+    constexpr double least = 0.02;
+    double fits = least, exceeds = 1;
+    Outcome<Plan> best =
+        fail("--max-time", fmt::format("even {:.2f} m wide the drive takes longer", least * width),
+             "allow more time, or draw less");
+    for (int k = 0; k < halvings && !progress.stopped(); ++k) {
+        // Time grows between linearly (lines) and with the square (areas).
+        const double share =
+            k == 0 ? std::max(least, std::sqrt(most / whole->figures.time)) : std::sqrt(fits * exceeds);
+        options.place.mode = "width";
+        options.place.width = share * width;
+        auto plan = make_plan(document, title, robot, options, edits, progress);
+        if (plan && plan->figures.time <= most) {
+            fits = share;
+            best = std::move(plan);
+        } else {
+            exceeds = share;
+        }
+    }
+    return best;
+}
+
 Outcome<void> show(const Plan& plan, const PlanArguments& arguments) {
     const std::string picture = picture_path(arguments);
     const auto written = write_output(picture, formats::write_svg(plan));
@@ -119,7 +155,25 @@ int plan(const PlanArguments& arguments, const Common& common) {
         return complain(error, fault_of(error));
     };
     if (!document) return refuse(document.error());
-    auto made = make_plan(*document, title, *robot, wishes->options, wishes->edits, progress);
+    double most_time = 0;
+    if (!arguments.max_time.empty()) {
+        const auto limit = parse_duration(arguments.max_time, "--max-time");
+        if (!limit) return complain(limit.error(), bad_call);
+        if (!(*limit > 0))
+            return complain({"--max-time", "is not above 0", "write for example 40min"}, bad_call);
+        most_time = *limit;
+    }
+    parts::Limit limit;
+    if (!arguments.split.empty()) {
+        const auto read = read_limit(arguments.split, "--split");
+        if (!read) return complain(read.error(), bad_call);
+        if (arguments.output == "-")
+            return complain({"--split", "writes several files", "name them with -o NAME.json"}, bad_call);
+        limit = *read;
+    }
+    auto made = most_time > 0 ? planned_within(most_time, *document, title, *robot, wishes->options,
+                                               wishes->edits, progress)
+                              : make_plan(*document, title, *robot, wishes->options, wishes->edits, progress);
     if (!made) return refuse(made.error());
     made->program = "strandline " STRANDLINE_VERSION;
     // A long plan takes as long to prove as to write: both only read it, so they go side by side. Where
@@ -129,6 +183,9 @@ int plan(const PlanArguments& arguments, const Common& common) {
                                                   [&made] { return check::prove(*made); });
     if (const auto done = write_output(arguments.output, formats::write_plan(*made)); !done)
         return complain(done.error(), bad_input);
+    if (!arguments.split.empty())
+        if (const auto done = write_parts(*made, limit, arguments.output, common.quiet); !done)
+            return complain(done.error(), bad_input);
 
     warn(made->warnings, common.quiet);
     for (const std::string& idle : made->idle_edits)
@@ -137,8 +194,10 @@ int plan(const PlanArguments& arguments, const Common& common) {
     if (common.json)
         fmt::print(arguments.output == "-" ? stderr : stdout, "{}\n", formats::write_figures(*made));
     else if (!common.quiet)
-        fmt::print(stderr, "{}{}", summary(*made, report),
-                   fidelity_rows(fidelity::judged(made->drawing, fidelity::drive_of(*made)).report));
+        fmt::print(
+            stderr, "{}{}{}", summary(*made, report),
+            fidelity_rows(fidelity::judged(made->drawing, fidelity::drive_of(*made)).report),
+            legibility_rows(made->drawing, legibility::report(made->drawing, made->robot), common.verbose));
     if (!common.quiet) fmt::print(stderr, "{}", findings(report, common.verbose));
     if (!common.quiet && common.verbose) fmt::print(stderr, "{}", places(*made, report));
     const std::string short_of = arguments.strict ? shortcomings(*made, report) : "";

@@ -5,6 +5,7 @@
 #include "plan/model/model.hpp"
 #include "result/check/check.hpp"
 #include "result/formats/formats.hpp"
+#include "result/legibility/legibility.hpp"
 
 namespace strandline::cli {
 
@@ -19,6 +20,9 @@ std::string findings(const check::Report& report, bool all);
 
 /// How true the sand is to the drawing, a line each, as `check` prints them too.
 std::string fidelity_rows(const fidelity::Report& report);
+/// Details finer than the rake, and on which canvas they would survive; "" where there are none. `all` lists
+/// each.
+std::string legibility_rows(const Drawing& drawing, const legibility::Report& report, bool all);
 /// The table a person reads after simulating; `all` lists the places of flaws.
 std::string simulated(const formats::Simulated& found, bool all);
 /// "12 min 05 s"

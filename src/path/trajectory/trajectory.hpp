@@ -21,4 +21,8 @@ struct Options {
 std::vector<Sample> timed(const std::vector<Leg>& legs, const std::vector<Stroke>& strokes,
                           const Robot& robot, const Options& options = {});
 
+/// A piece of such a drive as one of its own: from rest to rest, by the same rules. Where it stood or turned
+/// on the spot it does so as long. Times begin at 0. O(samples).
+std::vector<Sample> retimed(std::vector<Sample> samples, const Robot& robot);
+
 }  // namespace strandline::trajectory
