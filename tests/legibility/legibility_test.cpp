@@ -39,7 +39,7 @@ TEST(Legibility, ABridgeBetweenTwoSquaresIsOneDetailAtItsPlace) {
 
 TEST(Legibility, CornersAreNoDetailsWhicheverWayTheyPoint) {
     for (const double turn : {0.0, 0.3, 1.1, 2.0})
-        for (const double corner : {40.0, 60.0, 90.0, 120.0}) {
+        for (const double corner : {8.0, 20.0, 40.0, 60.0, 90.0, 120.0}) {
             const double half = corner / 2 * pi / 180;
             const Polygon kite{Point{}, unit(turn - half), 2 * std::cos(half) * unit(turn),
                                unit(turn + half)};

@@ -13,6 +13,10 @@ double arc_between(Pose a, Pose b) {
     return std::abs(half) < 1e-6 ? chord : chord * half / std::sin(half);
 }
 
+/// Metres: nearer than this the robot stands; samples of one stand differ by rounding.
+constexpr double same_place = 1e-9;
+bool stands(const Sample& a, const Sample& b) { return distance(a.pose.at, b.pose.at) < same_place; }
+
 }  // namespace
 
 std::vector<Sample> retimed(std::vector<Sample> samples, const Robot& robot) {
@@ -23,7 +27,7 @@ std::vector<Sample> retimed(std::vector<Sample> samples, const Robot& robot) {
         was = samples[first + 1].t;
         samples[first].t = t;
         // Standing, or turning on the spot: it takes as long as it took.
-        if (samples[first].pose.at == samples[first + 1].pose.at) {
+        if (stands(samples[first], samples[first + 1])) {
             t += wait;
             ++first;
             continue;
@@ -39,7 +43,7 @@ std::vector<Sample> retimed(std::vector<Sample> samples, const Robot& robot) {
             run.curvature.push_back(b.curvature);
             ++last;
         } while (last + 1 < samples.size() && samples[last].speed > 0 &&
-                 samples[last].pose.at != samples[last + 1].pose.at);
+                 !stands(samples[last], samples[last + 1]));
         was = samples[last].t;
         const std::vector<double> speed = speeds_along(run, robot);
         for (std::size_t k = 0; k + 1 < speed.size(); ++k) {

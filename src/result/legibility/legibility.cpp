@@ -7,9 +7,9 @@
 namespace strandline::legibility {
 namespace {
 
-/// Towards a corner of angle a the medial axis's radius falls by sin(a / 2) a metre: more than this is the
-/// tip of a corner of 30 degrees or more, which loses less than a pin's own square.
-constexpr double corner_slope = 0.26;
+/// Towards a corner of angle a the medial axis's radius falls by sin(a / 2) a metre. Where it falls by more
+/// than this, the area runs out in a tip (6 degrees or more): no canvas is large enough for a point.
+constexpr double tip_slope = 0.05;
 /// Metres of a curved medial axis that one chord stands for, in pins.
 constexpr double step_in_pins = 0.5;
 /// What is thinner than this share of a pin is a flaw of the outline, not a detail.
@@ -27,40 +27,64 @@ double widest(const Polygon& outline, double pin, Point& at) {
     return 2 * most;
 }
 
-/// Stretches of the axis that are narrower than a pin, each at its narrowest.
+/// Nodes of a graph in pieces.
+class Pieces {
+  public:
+    explicit Pieces(std::size_t nodes) : above_(nodes) {
+        std::iota(above_.begin(), above_.end(), std::size_t{0});
+    }
+    std::size_t root(std::size_t i) {
+        while (above_[i] != i) i = above_[i] = above_[above_[i]];
+        return i;
+    }
+    void join(std::size_t a, std::size_t b) {
+        above_[std::max(root(a), root(b))] = std::min(root(a), root(b));
+    }
+
+  private:
+    std::vector<std::size_t> above_;
+};
+
+/// Pieces of the axis that are narrower than a pin and a pin long. One that is an area by itself is as wide
+/// as its widest; one that hangs on wider sand is looked at where it does not taper, at its narrowest.
 void find_narrow(const Region& region, int element, double pin, std::vector<Detail>& details) {
     const MedialAxis axis = medial_axis(region, step_in_pins * pin);
-    std::vector<std::size_t> above(axis.nodes.size());
-    std::iota(above.begin(), above.end(), std::size_t{0});
-    const auto root = [&](std::size_t i) {
-        while (above[i] != i) i = above[i] = above[above[i]];
-        return i;
-    };
-    std::vector<double> run(axis.nodes.size(), 0);
-    std::vector<std::pair<std::size_t, double>> pieces;
-    for (const MedialAxis::Edge& edge : axis.edges) {
-        const auto a = static_cast<std::size_t>(edge.from), b = static_cast<std::size_t>(edge.to);
-        const double way = distance(axis.nodes[a].at, axis.nodes[b].at);
-        const double wide = 2 * std::max(axis.nodes[a].radius, axis.nodes[b].radius);
-        if (wide >= pin || way <= 0) continue;
-        if (std::abs(axis.nodes[a].radius - axis.nodes[b].radius) > corner_slope * way) continue;
-        above[std::max(root(a), root(b))] = std::min(root(a), root(b));
-        pieces.emplace_back(a, way);
+    const std::size_t count = axis.nodes.size();
+    const auto width = [&](std::size_t k) { return 2 * axis.nodes[k].radius; };
+    Pieces all(count), even(count);
+    std::vector<double> all_run(count, 0), even_run(count, 0);
+    std::vector<bool> hangs(count, false), is_even(count, false);
+    for (const int pass : {0, 1})  // joined first, then summed up by piece
+        for (const MedialAxis::Edge& edge : axis.edges) {
+            const auto a = static_cast<std::size_t>(edge.from), b = static_cast<std::size_t>(edge.to);
+            const double way = distance(axis.nodes[a].at, axis.nodes[b].at);
+            if (std::max(width(a), width(b)) >= pin) {
+                if (pass == 1) hangs[all.root(width(a) < width(b) ? a : b)] = true;
+                continue;
+            }
+            const bool tapers = std::abs(axis.nodes[a].radius - axis.nodes[b].radius) > tip_slope * way;
+            if (pass == 0) {
+                all.join(a, b);
+                if (!tapers) even.join(a, b);
+            } else {
+                all_run[all.root(a)] += way;
+                if (!tapers) even_run[even.root(a)] += way;
+                if (!tapers) is_even[a] = is_even[b] = true;
+            }
+        }
+    const std::size_t none = count;
+    std::vector<std::size_t> found(count, none);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (width(k) >= pin || width(k) < least_share * pin) continue;
+        const bool hanging = hangs[all.root(k)];
+        if (hanging && !is_even[k]) continue;
+        std::size_t& best = found[hanging ? even.root(k) : all.root(k)];
+        if (best == none || (hanging ? width(k) < width(best) : width(k) > width(best))) best = k;
     }
-    for (const auto& [node, way] : pieces) run[root(node)] += way;
-    std::vector<std::size_t> narrowest(axis.nodes.size(), axis.nodes.size());
-    for (const auto& piece : pieces) {
-        std::size_t& least = narrowest[root(piece.first)];
-        const double radius = axis.nodes[piece.first].radius;
-        if (2 * radius >= least_share * pin &&
-            (least == axis.nodes.size() || radius < axis.nodes[least].radius))
-            least = piece.first;
-    }
-    for (std::size_t k = 0; k < narrowest.size(); ++k) {
-        if (narrowest[k] == axis.nodes.size()) continue;
-        const MedialAxis::Node& node = axis.nodes[narrowest[k]];
-        if (run[k] >= 2 * node.radius)
-            details.push_back({Detail::Kind::narrow, element, node.at, 2 * node.radius, pin});
+    for (const std::size_t k : found) {
+        if (k == none) continue;
+        const double run = hangs[all.root(k)] ? even_run[even.root(k)] : all_run[all.root(k)];
+        if (run >= pin) details.push_back({Detail::Kind::narrow, element, axis.nodes[k].at, width(k), pin});
     }
 }
 

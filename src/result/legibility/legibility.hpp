@@ -20,9 +20,9 @@ struct Report {
     /// The drawing would have to be so many times as large: 1 where nothing is lost.
     double factor = 1;
 };
-/// Parts of areas that are narrower than a pin for at least their own width (tips of corners sharper than
-/// about 30 degrees among them), holes of areas, and closed lines whose groove covers their inside. Widths of
-/// areas are those of their medial axis. O(n log n) of the outlines' edges.
+/// Parts of areas that are narrower than a pin, evenly, for at least a pin (tips are none), holes of areas,
+/// and closed lines whose groove covers their inside. Widths of areas are those of their medial axis. O(n log
+/// n) of the outlines' edges.
 Report report(const Drawing& drawing, const Robot& robot);
 
 }  // namespace strandline::legibility

@@ -18,14 +18,13 @@ constexpr int steps_a_tick = 4;
 constexpr double may_lag = 0.02, lag_range = 0.08;
 /// The plan's own time is reached at the latest after so many times of it, or the robot is lost.
 constexpr double most_times = 3, least_seconds = 30;
-/// 1/s: how quickly a lag along the path is made good.
-constexpr double catch_up = 1.0;
 /// Damping of the steering: 1 comes back without swinging over.
 constexpr double damping = 1.0;
 
-/// Kanayama, Kimura, Miyazaki and Noguchi, "A stable tracking control method for an autonomous mobile robot"
-/// (ICRA 1990), section 4: from the target's own speeds and the error as the robot sees it. Along the path
-/// the law is that of a spring of natural length `look_ahead`: y'' + 2 z/l y' + y/l^2 = 0.
+/// The law of De Luca, Oriolo and Vendittelli, "Control of wheeled mobile robots: an experimental overview"
+/// (RAMSETE, LNCIS 270, 2001), section 4.3, after Samson and Kanayama: the target's own speeds and the error
+/// as the robot sees it. Linearised it has the poles of s^2 + 2 z a s + a^2, a^2 = w^2 + v^2 / l^2: along a
+/// straight way a spring of natural length l, the look-ahead.
 struct Command {
     double speed, turn_rate;
 };
@@ -33,11 +32,10 @@ Command commanded(const Target& ahead, Pose believed, Pose target, double look_a
     const Point off = target.at - believed.at, forward = unit(believed.heading);
     const double along = dot(off, forward), aside = cross(forward, off);
     const double turned = wrap_angle(target.heading - believed.heading);
-    const double l = look_ahead;
-    return {ahead.speed * std::cos(turned) + (ahead.speed > 0 ? catch_up * along : 0),
-            ahead.turn_rate + ahead.speed * (aside / (l * l) + 2 * damping / l * std::sin(turned)) +
-                // On the spot there is no way along which to come back: the heading alone is kept.
-                (ahead.speed > 0 ? 0 : turned)};
+    const double gain = 2 * damping * std::hypot(ahead.turn_rate, ahead.speed / look_ahead);
+    const double sinc = std::abs(turned) < 1e-6 ? 1 : std::sin(turned) / turned;
+    return {ahead.speed * std::cos(turned) + gain * along,
+            ahead.turn_rate + ahead.speed * sinc * aside / (look_ahead * look_ahead) + gain * turned};
 }
 
 /// The machine: what it does follows what it is told over one tick, as far as its accelerations go.
