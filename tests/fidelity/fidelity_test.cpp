@@ -59,6 +59,16 @@ TEST(Fidelity, AWiderGrooveIsWiderByItsPins) {
     EXPECT_NEAR(report_of(one_line(0, 1, without_wheels())).width_bias, -0.12, 0.01);
 }
 
+TEST(Fidelity, LinesSideBySideSayNothingOfTheirWidths) {
+    Plan plan = one_line(0, 3, without_wheels());
+    Element beside = plan.drawing.elements[0];
+    auto& path = std::get<LineElement>(beside.what).path;
+    path = transformed(path, {1, 0, 0, 1, 0, 0.18});
+    plan.drawing.elements.push_back(beside);
+    EXPECT_EQ(report_of(plan).width_error, 0);
+    EXPECT_GT(report_of(plan).undrawn, 3.5);
+}
+
 TEST(Fidelity, AnAreaRakedTooFarIsSpiltAndOneTooShortIsMissing) {
     const Report whole = report_of(one_area(0, 4, without_wheels()));
     EXPECT_GT(whole.fill_union, 0.99);

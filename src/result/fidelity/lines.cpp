@@ -48,8 +48,8 @@ struct Width {
 };
 
 /// Looks across a line in the sand, from its middle to both sides, as long as the sand is raked. Where other
-/// things are drawn within twice the width it says nothing.
-void probe(const Surface& sand, Point at, Point across, double wanted, Width& width) {
+/// things are wanted beside it, it says nothing.
+void probe(const Surface& sand, Point at, Point across, double wanted, double pin, Width& width) {
     const double step = sand.cell_size() / 4;
     const int most = static_cast<int>(wanted / step);
     const auto is_raked = [&](Point p) { return (sand.bits(p) & surface::raked) != 0; };
@@ -57,6 +57,9 @@ void probe(const Surface& sand, Point at, Point across, double wanted, Width& wi
         ++width.undrawn;
         return;
     }
+    constexpr unsigned other = surface::wanted_line | surface::wanted_fill;
+    for (const double side : {1.0, -1.0})
+        if ((sand.bits(at + side * (wanted + pin) / 2 * across) & other) != 0) return;
     int met = 1;
     for (const Point side : {across, -across}) {
         int reach = 1;
@@ -70,16 +73,17 @@ void probe(const Surface& sand, Point at, Point across, double wanted, Width& wi
     width.error += std::abs(off);
 }
 
-void probe_line(const Surface& sand, const Polyline& chords, bool closed, double wanted, double step,
+void probe_line(const Surface& sand, const Polyline& chords, bool closed, double wanted, double pin,
                 Width& width) {
     Polyline line = chords;
     if (closed) line.push_back(chords.front());
+    const double step = probe_step * pin;
     double next = step / 2, walked = 0;
     for (std::size_t k = 1; k < line.size(); ++k) {
         const double piece = distance(line[k - 1], line[k]);
         for (; piece > 0 && walked + piece >= next; next += step)
             probe(sand, between(line[k - 1], line[k], (next - walked) / piece),
-                  left_normal(normalized(line[k] - line[k - 1])), wanted, width);
+                  left_normal(normalized(line[k] - line[k - 1])), wanted, pin, width);
         walked += piece;
     }
 }
@@ -98,7 +102,7 @@ void measure_lines(const Drawing& drawing, const surface::Drive& drive, const Su
         if (chords.size() < 2) continue;
         lines.emplace(static_cast<int>(e), SegmentTree(segments_of(chords, line->path.closed)));
         report.line_length += length(line->path);
-        probe_line(sand, chords, line->path.closed, groove_width(robot, line->pins), step, width);
+        probe_line(sand, chords, line->path.closed, groove_width(robot, line->pins), robot.pin_pitch, width);
     }
     Lateral lateral;
     for (std::size_t i = 0; i + 1 < drive.samples.size() && i < drive.elements.size(); ++i) {
