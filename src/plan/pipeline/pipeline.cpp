@@ -139,7 +139,10 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
     f.tour_longer = f.tour_parts > 0 ? ordered.tour.length - ordered.tour.ungrouped : 0;
     f.reproducible = !ordered.tour.stopped;
     for (const drive::Span& span : ordered.undrivable)
-        plan.undrivable.push_back({"the rake leaves its path, metres", span.at, span.length});
+        plan.undrivable.push_back(
+            {"the bend is tighter than the rake can follow (smooth it, draw it larger, lift "
+             "the rake there, or turn on the spot), metres",
+             span.at, span.length});
     for (const order::Blemish& b : ordered.blemishes) {
         if (b.metres > 0)
             plan.blemishes.push_back({"no way round finished areas found, metres", b.at, b.metres});
