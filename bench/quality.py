@@ -3,14 +3,16 @@
 
 Measures what the program makes, from outside, by its commands. Two columns where a judge has cases of its own: the judge's cases and fresh
 seeded ones made here, so that nothing is tuned to the first. Without the judges' folder only the second column is filled, by the checks in
-this file. Sections: drawings, clipart, svg, tour, connect, fill, fill-vehicles, convert, and
+this file. Sections: drawings, clipart, svg, tour, connect, fill, fill-vehicles, convert, simulate, and
 fill-pictures, which writes docs/fill. Needs python3; the judges need numpy and shapely.
 """
 import argparse, json, math, random, statistics, subprocess, sys, tempfile, time
 from pathlib import Path
 
 import connect as connections
+import converter
 import fill as fill_table
+import simulate as simulation
 import vehicles
 from harness import peak_mb, percent, run, table
 
@@ -219,6 +221,10 @@ def fill_vehicles(program, shared, folder):
     vehicles.report(program, shared, EVERYTHING)
 
 
+def simulate(program, shared, folder):
+    simulation.report(program, shared, folder, ROOT)
+
+
 def fill_pictures(program, shared, folder):
     import pictures  # Pillow is needed for these alone
     pictures.draw(program, folder, ROOT / "docs")
@@ -251,13 +257,16 @@ def convert(program, shared, folder):
                 worst = max(worst, abs(math.hypot(x - 0.2 * math.cos(theta), y - 0.2 * math.sin(theta)) - radius))
         rows.append([radius, code, f"{100 * worst:.4f}"])
     table("Convert: arcs sampled every 5 cm, poses interpolated", ["radius m", "exit", "largest rake error cm"], rows)
+    rows, cpu = converter.rows(program, folder)
+    table("Convert: 5 random paths of 8 m, curvature linear between random values every 0.5 m", ["bends", "largest rake error, points every 1 cm, cm", "every 5 cm, cm"], rows)
+    print(f"\n100,000 points: {cpu:.2f} s of processor time with reading and writing.")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
     parser.add_argument("--shared", default=ROOT.parent / "shared", type=Path)
-    parser.add_argument("--only", default="drawings,clipart,svg,tour,connect,fill,fill-vehicles,convert")
+    parser.add_argument("--only", default="drawings,clipart,svg,tour,connect,fill,fill-vehicles,convert,simulate")
     parser.add_argument("--all", action="store_true", help="connect: 100,000 pairs by the judge's rule; fill: more fresh shapes, every shape turned and scaled, 1,000 random regions")
     parser.add_argument("--agreement", help="the program that draws beside librsvg")
     arguments = parser.parse_args()

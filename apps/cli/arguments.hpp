@@ -37,4 +37,9 @@ Outcome<void> set_pose(Options& options, const std::string& prefix, const std::s
 Outcome<void> set_exit(Options& options, const std::string& text);
 Outcome<void> set_drive_end(Options& options, const std::string& which, const std::string& text);
 
+/// All that a call of plan wishes for: the settings file, the command line over it, both over the defaults of
+/// the canvas that is wished for.
+Outcome<Wishes> gathered(const PlanArguments& arguments);
+Outcome<Robot> robot_of(const Wishes& wishes);
+
 }  // namespace strandline::cli

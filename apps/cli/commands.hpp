@@ -48,6 +48,7 @@ struct PlanArguments {
     std::string occlusion;
     std::vector<std::string> layers, rules;
     bool invert = false, strict = false, open = false;
+    std::string max_time, split;
 };
 int plan(const PlanArguments& arguments, const Common& common);
 
@@ -67,6 +68,28 @@ struct RenderArguments {
     int pixels = 1200;
 };
 int render(const RenderArguments& arguments, const Common& common);
+
+struct SimulateArguments {
+    std::vector<std::string> inputs;  ///< a plan, the pair of robot texts, or a CSV
+    std::string output, flaws, log, against, cell;
+    PlanArguments wishes;              ///< robot, canvas, place and settings for drives that are no plan
+    std::optional<std::string> noise;  ///< metres; "": the robot's
+    std::string wander, delay;
+    unsigned long long seed = 1;
+    bool late_pins = false;
+    int pixels = 1200;
+    double seconds = 15;  ///< of a film
+};
+int simulate(const SimulateArguments& arguments, const Common& common);
+
+struct ResumeArguments {
+    std::string input, output = "-", from;
+};
+int resume(const ResumeArguments& arguments, const Common& common);
+struct SplitArguments {
+    std::string input, output, every;
+};
+int split(const SplitArguments& arguments, const Common& common);
 
 int list_settings(const Common& common);
 /// Without a name: the built-in names; with one: its profile as TOML. As JSON: the robots themselves.

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "sand_commands.hpp"
 #include "stage_commands.hpp"
 
 namespace {
@@ -69,7 +70,7 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     add_lettering(plan, a.lettering);
     plan->add_option("-o,--output", a.output, "plan file (JSON), or - for stdout")->capture_default_str();
     plan->add_option("--robot", a.robot,
-                     "beachbot, plotter, turf, or a profile file (.toml); default beachbot");
+                     "beachbot, plotter, turf, diffdrive, or a profile file (.toml); default beachbot");
     plan->add_option("--config", a.config, "settings file (.toml)");
     plan->add_option("--set", a.settings,
                      "key=value; keys: strandline settings. robot.FIELD=value changes the robot");
@@ -99,6 +100,10 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->add_flag("--strict", a.strict,
                    "exit 3 when check finds a fault, finished ground is driven over, or anything was done "
                    "another way than asked");
+    plan->add_option("--max-time", a.max_time, "the largest drawing whose drive takes no longer (40min)");
+    plan->add_option(
+        "--split", a.split,
+        "also NAME-1.json, NAME-2.json ...: parts of at most 30min, or 200m, cut at stroke ends");
     plan->add_flag("--open", a.open, "write a picture beside the plan and open it");
     plan->footer(R"(Examples:
   strandline plan lion.svg -o lion.json
@@ -213,6 +218,9 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     ExportArguments exported;
     CheckArguments check;
     RenderArguments render;
+    SimulateArguments simulate;
+    ResumeArguments resume;
+    SplitArguments split;
     TourArguments tour;
     FillArguments fill;
     ConnectArguments connect;
@@ -222,6 +230,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     add_text(app, text, common, chosen);
     add_trace(app, trace, common, chosen);
     add_results(app, exported, check, render, common, chosen);
+    add_sand(app, simulate, resume, split, common, chosen);
     CLI::App* settings = app.add_subcommand("settings", "lists everything that can be set");
     settings->footer(
         "With --json: [{\"key\", \"kind\", \"unit\", \"default\", \"low\", \"high\", \"choices\", "

@@ -9,9 +9,11 @@
 #include <future>
 
 #include "arguments.hpp"
+#include "base/units/units.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "fonts.hpp"
+#include "part_plans.hpp"
 #include "plan/pipeline/pipeline.hpp"
 #include "result/check/check.hpp"
 #include "result/formats/formats.hpp"
@@ -21,67 +23,6 @@ namespace strandline::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Settings file first, the command line over it, both over `defaults`.
-Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
-    Wishes wishes;
-    wishes.options = defaults;
-    Outcome<void> done;
-    if (!a.config.empty()) done = read_settings_file(wishes, a.config);
-    if (!a.robot.empty()) wishes.robot = a.robot;
-    if (done && !a.canvas.empty()) done = set_canvas(wishes.options, a.canvas);
-    // Who says how high letters are wants them so.
-    if (done && !a.lettering.text.empty() && !a.lettering.height.empty())
-        done = set(wishes.options, "place.mode", "actual");
-    if (done && !a.margin.empty()) done = set(wishes.options, "canvas.margin", a.margin);
-    if (done && !a.place.empty()) done = set_place(wishes.options, a.place);
-    if (done && !a.layers.empty())
-        done = set(wishes.options, "drawing.layers", fmt::format("{}", fmt::join(a.layers, "; ")));
-    if (done && !a.rules.empty())
-        done = set(wishes.options, "drawing.rules", fmt::format("{}", fmt::join(a.rules, "; ")));
-    if (done && !a.avoid.empty()) done = set(wishes.options, "avoid.finished", a.avoid);
-    if (done && !a.occlusion.empty()) done = set(wishes.options, "drawing.occlusion", a.occlusion);
-    if (done && a.invert) done = set(wishes.options, "ink.invert", "on");
-    if (done && !a.dpi.empty()) done = set(wishes.options, "drawing.dpi", a.dpi);
-    if (done && !a.border.empty()) done = set(wishes.options, "field.border", a.border);
-    if (done && !a.keep_outs.empty())
-        done = set(wishes.options, "field.keep_out", fmt::format("{}", fmt::join(a.keep_outs, "; ")));
-    if (done && !a.park.empty()) done = set_pose(wishes.options, "park.", "--park", a.park);
-    if (done && !a.exit.empty()) done = set_exit(wishes.options, a.exit);
-    if (done && !a.start.empty()) done = set_drive_end(wishes.options, "start", a.start);
-    if (done && !a.end.empty()) done = set_drive_end(wishes.options, "end", a.end);
-    for (const std::string& text : a.settings)
-        if (done) done = set_from_text(wishes, text);
-    const auto add_edits = [&](const std::vector<std::string>& texts, auto parse) {
-        for (const std::string& text : texts) {
-            if (!done) return;
-            const auto edit = parse(text);
-            if (edit)
-                wishes.edits.push_back(*edit);
-            else
-                done = tl::unexpected(edit.error());
-        }
-    };
-    add_edits(a.links, parse_link);
-    add_edits(a.entries, parse_entry);
-    add_edits(a.directions, parse_direction);
-    if (!done) return tl::unexpected(done.error());
-    return wishes;
-}
-
-/// Twice: the canvas that is wished for decides the defaults of all that is not.
-Outcome<Wishes> gathered(const PlanArguments& a) {
-    auto first = gathered(a, Options{});
-    if (!first) return first;
-    return gathered(a, defaults_for({first->options.canvas.width, first->options.canvas.height}));
-}
-
-Outcome<Robot> robot_of(const Wishes& wishes) {
-    auto robot = robot_named(wishes.robot.empty() ? "beachbot" : wishes.robot);
-    for (const auto& [field, value] : wishes.robot_fields)
-        if (robot) robot = with_field(*robot, field, value);
-    return robot;
-}
 
 /// Stops the search when the user or the time limit says so.
 Progress limited(Progress progress, double seconds) {
@@ -146,6 +87,40 @@ Outcome<void> outputs_apart(const PlanArguments& arguments) {
     return {};
 }
 
+/// The largest drawing whose drive takes at most `most` seconds: the width is halved between one that fits
+/// and one that does not. A plan is made for each; time grows with the width, nearly always.
+Outcome<Plan> planned_within(double most, const svg::Document& document, const std::string& title,
+                             const Robot& robot, Options options, const std::vector<Edit>& edits,
+                             const Progress& progress) {
+    auto whole = make_plan(document, title, robot, options, edits, progress);
+    if (!whole || whole->figures.time <= most) return whole;
+    Box box;
+    for (const Element& element : whole->drawing.elements) box = united(box, bounds(element));
+    const double width = box.width();
+    if (!(width > 0)) return fail("--max-time", "the drawing has no width to make smaller", "leave it out");
+    constexpr int halvings = 7;
+    constexpr double least = 0.02;
+    double fits = least, exceeds = 1;
+    Outcome<Plan> best =
+        fail("--max-time", fmt::format("even {:.2f} m wide the drive takes longer", least * width),
+             "allow more time, or draw less");
+    for (int k = 0; k < halvings && !progress.stopped(); ++k) {
+        // Time grows between linearly (lines) and with the square (areas).
+        const double share =
+            k == 0 ? std::max(least, std::sqrt(most / whole->figures.time)) : std::sqrt(fits * exceeds);
+        options.place.mode = "width";
+        options.place.width = share * width;
+        auto plan = make_plan(document, title, robot, options, edits, progress);
+        if (plan && plan->figures.time <= most) {
+            fits = share;
+            best = std::move(plan);
+        } else {
+            exceeds = share;
+        }
+    }
+    return best;
+}
+
 Outcome<void> show(const Plan& plan, const PlanArguments& arguments) {
     const std::string picture = picture_path(arguments);
     const auto written = write_output(picture, formats::write_svg(plan));
@@ -180,7 +155,25 @@ int plan(const PlanArguments& arguments, const Common& common) {
         return complain(error, fault_of(error));
     };
     if (!document) return refuse(document.error());
-    auto made = make_plan(*document, title, *robot, wishes->options, wishes->edits, progress);
+    double most_time = 0;
+    if (!arguments.max_time.empty()) {
+        const auto limit = parse_duration(arguments.max_time, "--max-time");
+        if (!limit) return complain(limit.error(), bad_call);
+        if (!(*limit > 0))
+            return complain({"--max-time", "is not above 0", "write for example 40min"}, bad_call);
+        most_time = *limit;
+    }
+    parts::Limit limit;
+    if (!arguments.split.empty()) {
+        const auto read = read_limit(arguments.split, "--split");
+        if (!read) return complain(read.error(), bad_call);
+        if (arguments.output == "-")
+            return complain({"--split", "writes several files", "name them with -o NAME.json"}, bad_call);
+        limit = *read;
+    }
+    auto made = most_time > 0 ? planned_within(most_time, *document, title, *robot, wishes->options,
+                                               wishes->edits, progress)
+                              : make_plan(*document, title, *robot, wishes->options, wishes->edits, progress);
     if (!made) return refuse(made.error());
     made->program = "strandline " STRANDLINE_VERSION;
     // A long plan takes as long to prove as to write: both only read it, so they go side by side. Where
@@ -190,6 +183,9 @@ int plan(const PlanArguments& arguments, const Common& common) {
                                                   [&made] { return check::prove(*made); });
     if (const auto done = write_output(arguments.output, formats::write_plan(*made)); !done)
         return complain(done.error(), bad_input);
+    if (!arguments.split.empty())
+        if (const auto done = write_parts(*made, limit, arguments.output, common.quiet); !done)
+            return complain(done.error(), bad_input);
 
     warn(made->warnings, common.quiet);
     for (const std::string& idle : made->idle_edits)
@@ -198,7 +194,10 @@ int plan(const PlanArguments& arguments, const Common& common) {
     if (common.json)
         fmt::print(arguments.output == "-" ? stderr : stdout, "{}\n", formats::write_figures(*made));
     else if (!common.quiet)
-        fmt::print(stderr, "{}", summary(*made, report));
+        fmt::print(
+            stderr, "{}{}{}", summary(*made, report),
+            fidelity_rows(fidelity::judged(made->drawing, fidelity::drive_of(*made)).report),
+            legibility_rows(made->drawing, legibility::report(made->drawing, made->robot), common.verbose));
     if (!common.quiet) fmt::print(stderr, "{}", findings(report, common.verbose));
     if (!common.quiet && common.verbose) fmt::print(stderr, "{}", places(*made, report));
     const std::string short_of = arguments.strict ? shortcomings(*made, report) : "";

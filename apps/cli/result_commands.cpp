@@ -78,10 +78,13 @@ int check(const CheckArguments& arguments, const Common& common) {
     const auto plan = read_plan_file(arguments.input);
     if (!plan) return complain(plan.error(), bad_input);
     const check::Report report = check::prove(*plan);  // Ctrl-C ends it: half a proof is none
+    const bool readable = report.faults.empty() || report.faults.front().law > check::Law::finite;
+    const fidelity::Report fidelity =
+        readable ? fidelity::judged(plan->drawing, fidelity::drive_of(*plan)).report : fidelity::Report{};
     if (common.json) {
-        fmt::print("{}", formats::write_report(report));
+        fmt::print("{}", formats::write_report(report, &fidelity));
     } else if (!common.quiet) {
-        fmt::print("{}", summary(*plan, report));
+        fmt::print("{}{}", summary(*plan, report), fidelity_rows(fidelity));
         fmt::print("{}", findings(report, common.verbose));
         if (common.verbose) fmt::print("{}", places(*plan, report));
         for (const check::Blemish& b : report.blemishes)

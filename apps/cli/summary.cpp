@@ -11,12 +11,6 @@ namespace {
 // More of one kind than this is summed up, not listed, unless asked for.
 constexpr std::size_t most_listed = 8;
 
-std::string duration(double seconds) {
-    const int whole = static_cast<int>(std::lround(seconds));
-    return whole >= 3600 ? fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60)
-                         : fmt::format("{} min {:02} s", whole / 60, whole % 60);
-}
-
 std::string scale_text(const Plan& plan) {
     const Drawing& d = plan.drawing;
     std::string text = fmt::format("1 user unit = {:.4g} m", d.scale);
@@ -33,6 +27,12 @@ std::string corners(const Figures& f) {
 }
 
 }  // namespace
+
+std::string duration(double seconds) {
+    const int whole = static_cast<int>(std::lround(seconds));
+    return whole >= 3600 ? fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60)
+                         : fmt::format("{} min {:02} s", whole / 60, whole % 60);
+}
 
 std::string summary(const Plan& plan, const check::Report& report) {
     const Figures& f = plan.figures;

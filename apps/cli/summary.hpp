@@ -4,6 +4,8 @@
 
 #include "plan/model/model.hpp"
 #include "result/check/check.hpp"
+#include "result/formats/formats.hpp"
+#include "result/legibility/legibility.hpp"
 
 namespace strandline::cli {
 
@@ -15,5 +17,15 @@ std::string places(const Plan& plan, const check::Report& report);
 std::string shortcomings(const Plan& plan, const check::Report& report);
 /// The check's findings, a line each; "" when there are none.
 std::string findings(const check::Report& report, bool all);
+
+/// How true the sand is to the drawing, a line each, as `check` prints them too.
+std::string fidelity_rows(const fidelity::Report& report);
+/// Details finer than the rake, and on which canvas they would survive; "" where there are none. `all` lists
+/// each.
+std::string legibility_rows(const Drawing& drawing, const legibility::Report& report, bool all);
+/// The table a person reads after simulating; `all` lists the places of flaws.
+std::string simulated(const formats::Simulated& found, bool all);
+/// "12 min 05 s"
+std::string duration(double seconds);
 
 }  // namespace strandline::cli

@@ -179,10 +179,10 @@ TEST(PlanSvg, OnASheetOfPaperHalfAMillimetreIsStillAWidth) {
 TEST(Csv, HasALineASampleAndArcLengthThatGrowsAsTheRobotDrives) {
     const auto lines = lines_of(formats::write_csv(sample_plan()));
     ASSERT_EQ(lines.size(), sample_plan().samples.size() + 1);
-    EXPECT_EQ(lines[0], "s,t,x,y,heading,curvature,v,omega,pins,rake_x,rake_y,motion,stroke");
-    EXPECT_EQ(
-        lines[1],
-        "0.000000,0.000000,2.200000,2.000000,0.000000,0.000000,0.200000,0.000000,8,2.000000,2.000000,draw,0");
+    EXPECT_EQ(lines[0], "s,t,x,y,heading,curvature,v,omega,pins,rake_x,rake_y,motion,stroke,told");
+    EXPECT_EQ(lines[1],
+              "0.000000,0.000000,2.200000,2.000000,0.000000,0.000000,0.200000,0.000000,8,2.000000,2.000000,"
+              "draw,0,8");
     EXPECT_NEAR(std::stod(lines.back()), 13.6 + pi + 2.4, 1e-5) << "arcs, not chords";
 }
 

@@ -181,7 +181,7 @@ Outcome<Robot> read_robot(std::string_view source, const std::string& place) {
     if (!robot) {
         Error error = robot.error();
         error.place = place_of(place, *table.get("base"), "base");
-        error.remedy = "use beachbot, plotter or turf";
+        error.remedy = "use beachbot, plotter, turf or diffdrive";
         return tl::unexpected(std::move(error));
     }
     for (const auto& [key, node] : table)

@@ -86,6 +86,30 @@ Robot turf() {
                  .fill_wide_strokes = false};
 }
 
+Robot diff_drive() {
+    // Two driven wheels and a caster behind, a marker between the wheels: turns on the spot and has no rake
+    // that trails. A robot for classrooms; all of it is assumed.
+    return Robot{.name = "diffdrive",
+                 .rake_offset = 0,
+                 .pins = 1,
+                 .pin_pitch = 0.01,
+                 .min_radius = 0.05,
+                 .sharpness = 300,
+                 .can_pivot = true,
+                 .speed = 0.1,
+                 .travel_speed = 0.15,
+                 .acceleration = 0.3,
+                 .turn_rate = 2,
+                 .turn_acceleration = 8,
+                 .lift_delay = 0.15,
+                 .front = 0.06,
+                 .back = 0.09,
+                 .half_width = 0.07,
+                 .wheels = {{{0, 0.06}, 0.015}, {{0, -0.06}, 0.015}, {{-0.07, 0}, 0.01}},
+                 .rake_rules = {{0, 0}, {1, 1}},
+                 .fill_wide_strokes = false};
+}
+
 }  // namespace
 
 unsigned pin_mask(const Robot& robot, int count) {
@@ -119,14 +143,15 @@ double wheel_reach(const Robot& robot) {
     return reach;
 }
 
-std::vector<std::string> builtin_robots() { return {"beachbot", "plotter", "turf"}; }
+std::vector<std::string> builtin_robots() { return {"beachbot", "plotter", "turf", "diffdrive"}; }
 
 Outcome<Robot> builtin_robot(std::string_view name) {
     if (name == "beachbot") return beachbot();
     if (name == "plotter") return plotter();
     if (name == "turf") return turf();
+    if (name == "diffdrive") return diff_drive();
     return fail("robot", "there is no built-in \"" + std::string(name) + '"',
-                "use beachbot, plotter or turf, or name a .toml file");
+                "use beachbot, plotter, turf or diffdrive, or name a .toml file");
 }
 
 }  // namespace strandline

@@ -204,13 +204,25 @@ class Timer {
     double t_ = 0;
 };
 
+/// A drive that begins with a stroke waits until its pins are down; all others are told while it drives.
+std::vector<Sample> waiting(std::vector<Sample> samples, const Robot& robot) {
+    if (robot.lift_delay <= 0 || samples.empty() || samples.front().mask == 0) return samples;
+    Sample stands = samples.front();
+    for (Sample& sample : samples) sample.t += robot.lift_delay;
+    stands.mask = 0;
+    stands.motion = Motion::lead;
+    stands.stroke = -1;
+    samples.insert(samples.begin(), stands);
+    return samples;
+}
+
 }  // namespace
 
 std::vector<Sample> timed(const std::vector<Leg>& legs, const std::vector<Stroke>& strokes,
                           const Robot& robot, const Options& options) {
     Timer timer(strokes, robot, options);
     for (const Leg& leg : legs) timer.add(leg);
-    return timer.finished();
+    return waiting(timer.finished(), robot);
 }
 
 }  // namespace strandline::trajectory

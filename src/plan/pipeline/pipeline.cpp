@@ -6,6 +6,7 @@
 
 #include "base/units/units.hpp"
 #include "path/trajectory/trajectory.hpp"
+#include "plan/parts/parts.hpp"
 #include "plan/pipeline/edits.hpp"
 #include "plan/pipeline/hints.hpp"
 #include "plan/pipeline/pins.hpp"
@@ -102,35 +103,6 @@ Outcome<void> not_too_long(const std::vector<order::Group>& groups, const Option
                 "(robot.fill_wide_strokes=off)");
 }
 
-/// What the finished trajectory says of itself.
-void measure(Figures& figures, const Plan& plan) {
-    for (std::size_t i = 1; i < plan.samples.size(); ++i) {
-        const Sample &a = plan.samples[i - 1], &b = plan.samples[i];
-        const double driven = distance(a.pose.at, b.pose.at);
-        const double bend = std::max(std::abs(a.curvature), std::abs(b.curvature));
-        switch (a.motion) {
-            case Motion::draw:
-                figures.drawn += distance(a.rake, b.rake);
-                figures.tightest_drawn = std::max(figures.tightest_drawn, std::abs(a.curvature));
-                break;
-            case Motion::loop:
-                figures.loops_driven += driven;
-                figures.tightest_up = std::max(figures.tightest_up, bend);
-                break;
-            case Motion::connect:
-                figures.up_driven += driven;
-                figures.tightest_up = std::max(figures.tightest_up, bend);
-                break;
-            case Motion::lead:
-                figures.up_driven += driven;
-                break;
-            case Motion::pivot:
-                break;
-        }
-    }
-    figures.time = plan.samples.empty() ? 0 : plan.samples.back().t;
-}
-
 /// What the drawing room dropped by its limits: counted there, said here.
 Warnings dropped(const Drawing& drawing, const Options& options) {
     Warnings warnings;
@@ -168,7 +140,10 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
     f.tour_longer = f.tour_parts > 0 ? ordered.tour.length - ordered.tour.ungrouped : 0;
     f.reproducible = !ordered.tour.stopped;
     for (const drive::Span& span : ordered.undrivable)
-        plan.undrivable.push_back({"the rake leaves its path, metres", span.at, span.length});
+        plan.undrivable.push_back(
+            {"the bend is tighter than the rake can follow (smooth it, draw it larger, lift "
+             "the rake there, or turn on the spot), metres",
+             span.at, span.length});
     for (const order::Blemish& b : ordered.blemishes) {
         if (b.metres > 0)
             plan.blemishes.push_back({"no way round finished areas found, metres", b.at, b.metres});
@@ -177,7 +152,7 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
     }
     for (const order::Connection& c : ordered.connections)
         plan.connections.push_back({c.from, c.to, c.turn_before, c.turn_after, c.curve});
-    measure(f, plan);
+    parts::measure(f, plan.samples);
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ Outcome<svg::Document> read_source(const Source& source, const Options& options,
 Outcome<trace::Traced> trace_source(const Source& source, const Options& options,
                                     const Progress& progress = {});
 
+/// What a file is to draw, before any edit: all that plans of it are held against. Errors as make_plan.
+Outcome<Drawing> drawing_of(const Source& source, const Robot& robot, const Options& options,
+                            const Progress& progress = {});
+
 /// Whether these options ask of the robot what it can do. Error: the key and what to change.
 Outcome<void> valid(const Options& options, const Robot& robot);
 

@@ -109,6 +109,16 @@ Outcome<Plan> Planner::plan(const Source& source, const Robot& robot, const Opti
                              kept_->strokes, progress);
 }
 
+Outcome<Drawing> drawing_of(const Source& source, const Robot& robot, const Options& options,
+                            const Progress& progress) {
+    const auto asked = pipeline::drawing_options(options);
+    if (!asked) return tl::unexpected(asked.error());
+    auto document = read_source(source, options, progress);
+    if (!document) return tl::unexpected(document.error());
+    return pipeline::drawn(pipeline::without_wrong_hints(std::move(*document), robot), robot, *asked, {},
+                           progress);
+}
+
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits, const Progress& progress) {
     return Planner().plan(source, robot, options, edits, progress);

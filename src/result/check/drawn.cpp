@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/nearest/nearest.hpp"
 #include "result/check/faults.hpp"
-#include "result/check/nearest.hpp"
 
 namespace strandline::check {
 namespace {

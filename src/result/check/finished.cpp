@@ -1,8 +1,8 @@
 // How far the robot drives over areas that are finished.
 #include <algorithm>
 
+#include "math/nearest/nearest.hpp"
 #include "result/check/faults.hpp"
-#include "result/check/nearest.hpp"
 
 namespace strandline::check {
 namespace {

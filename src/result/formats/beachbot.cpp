@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machine/pins/pins.hpp"
 #include "result/formats/formats.hpp"
 #include "result/formats/instants.hpp"
 #include "result/formats/json_text.hpp"
@@ -69,7 +70,7 @@ void lines_between(PairWriter& out, const Robot& robot, const Sample& a, const S
 }  // namespace
 
 BeachbotPair write_beachbot(const Plan& plan) {
-    const auto& samples = plan.samples;
+    const auto samples = pins::told(plan.robot, plan.samples);
     PairWriter out;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const Sample& sample = samples[i];

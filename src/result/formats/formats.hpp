@@ -1,5 +1,6 @@
 #pragma once
 // Plan and stage values <-> text. Reads and writes strings only; the apps do files.
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,6 +8,8 @@
 #include "base/outcome/outcome.hpp"
 #include "plan/model/model.hpp"
 #include "result/check/check.hpp"
+#include "result/fidelity/fidelity.hpp"
+#include "result/tracking/tracking.hpp"
 
 namespace strandline::formats {
 
@@ -40,7 +43,32 @@ std::string write_svg(const Plan& plan);
 std::string write_csv(const Plan& plan);
 /// Figures as JSON for --json.
 std::string write_figures(const Plan& plan);
-/// What check found, as JSON: figures, faults, blemishes.
-std::string write_report(const check::Report& report);
+/// What check found, as JSON: figures, faults, blemishes; and how true the sand is to the drawing, as
+/// "fidelity", where that is known.
+std::string write_report(const check::Report& report, const fidelity::Report* fidelity = nullptr);
+
+/// A pair of 2014 -> the drive. Headings are from the rake to the turning point; a tool at the turning point
+/// looks where it goes. Times follow from the robot's speeds. Error: a line that is not "x y rake", files of
+/// different length.
+Outcome<std::vector<Sample>> read_beachbot(std::string_view robot_text, std::string_view rake_text,
+                                           const Robot& robot, const std::string& robot_place,
+                                           const std::string& rake_place);
+/// CSV with a first line of names: x, y, pins, and heading, t, rake_x, rake_y where known; others are passed
+/// over. What write_csv writes is read back.
+Outcome<std::vector<Sample>> read_drive_csv(std::string_view text, const Robot& robot,
+                                            const std::string& place);
+/// A tick of a simulated drive a line.
+std::string write_log(const tracking::Driven& driven);
+/// What a simulation found.
+struct Simulated {
+    fidelity::Report fidelity;
+    double time = 0;  ///< s that were driven
+    std::optional<double> planned_time;
+    std::optional<double>
+        same_sand;  ///< intersection over union with the sand of the plan it is held against
+    const tracking::Driven* driven = nullptr;  ///< nullptr: no controller drove
+};
+/// As JSON: figures, then places of flaws.
+std::string write_fidelity(const Simulated& simulated);
 
 }  // namespace strandline::formats

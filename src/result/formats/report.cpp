@@ -1,60 +1,30 @@
 // What check found, as JSON.
-#include <fmt/format.h>
-
 #include "result/formats/formats.hpp"
-#include "result/formats/json_text.hpp"
+#include "result/formats/json_members.hpp"
 
 namespace strandline::formats {
 namespace {
 
-/// An object's members, one after the other.
-class Members {
-  public:
-    explicit Members(Text& text) : text_(text) { add(text_, "{"); }
-    Members& operator()(const char* key, double value) {
-        return put(key, [&] { add_number(text_, value); });
-    }
-    Members& operator()(const char* key, int value) {
-        return put(key, [&] { add_number(text_, static_cast<long long>(value)); });
-    }
-    Members& operator()(const char* key, std::string_view value) {
-        return put(key, [&] { add_string(text_, value); });
-    }
-    void flag(const char* key, bool value) {
-        put(key, [&] { add(text_, value ? "true" : "false"); });
-    }
-    template <class List, class What>
-    void list(const char* key, const List& items, What&& what) {
-        put(key, [&] {
-            add(text_, "[");
-            bool first = true;
-            for (const auto& item : items) {
-                add(text_, first ? "\n  " : ",\n  ");
-                first = false;
-                what(item);
-            }
-            add(text_, "]");
-        });
-    }
-    void close() { add(text_, "}"); }
-
-  private:
-    template <class Write>
-    Members& put(const char* key, Write&& write) {
-        add(text_, first_ ? "" : ",");
-        first_ = false;
-        add_string(text_, key);
-        add(text_, ":");
-        write();
-        return *this;
-    }
-    Text& text_;
-    bool first_ = true;
-};
+void add_fidelity(Text& text, Members& all, const fidelity::Report& r) {
+    all("cell", r.cell)("intersection_over_union", r.intersection_over_union);
+    all("fill_area", r.fill_area)("fill_perimeter", r.fill_perimeter)("fill_union", r.fill_union);
+    all("coverage", r.coverage)("spill", r.spill);
+    all("border_over_cm", r.border_over)("border_missing_cm", r.border_missing);
+    all("missing", r.missing)("stray", r.stray)("track", r.track)("track_on_line", r.track_on_line);
+    all("track_on_fill", r.track_on_fill)("blemish", r.blemish());
+    all("line_length", r.line_length)("lateral_mean", r.lateral_mean)("lateral_rms", r.lateral_rms);
+    all("lateral_max", r.lateral_max)("width_bias", r.width_bias)("width_error", r.width_error);
+    all("undrawn", r.undrawn);
+    all.list("places", r.places, [&](const fidelity::Place& place) {
+        Members one(text);
+        one("flaw", std::string_view(fidelity::name_of(place.flaw)))("x", place.at.x)("y", place.at.y);
+        one("area", place.area).close();
+    });
+}
 
 }  // namespace
 
-std::string write_report(const check::Report& report) {
+std::string write_report(const check::Report& report, const fidelity::Report* fidelity) {
     Text text;
     Members all(text);
     all.flag("sound", report.sound());
@@ -79,6 +49,24 @@ std::string write_report(const check::Report& report) {
         one("x", blemish.at.x)("y", blemish.at.y)("area", blemish.area)("crossings", blemish.crossings);
         one("element", blemish.element)("t", blemish.t).close();
     });
+    if (fidelity != nullptr)
+        all.object("fidelity", [&](Members& one) { add_fidelity(text, one, *fidelity); });
+    all.close();
+    add(text, "\n");
+    return text;
+}
+
+std::string write_fidelity(const Simulated& simulated) {
+    Text text;
+    Members all(text);
+    all("time", simulated.time);
+    if (simulated.planned_time) all("planned_time", *simulated.planned_time);
+    if (simulated.same_sand) all("same_sand", *simulated.same_sand);
+    if (const tracking::Driven* driven = simulated.driven) {
+        all("tracking_mean", driven->mean)("tracking_rms", driven->rms)("tracking_max", driven->most);
+        all.flag("lost", driven->lost);
+    }
+    add_fidelity(text, all, simulated.fidelity);
     all.close();
     add(text, "\n");
     return text;

@@ -1,6 +1,7 @@
 // A plan as a table of samples, and its figures.
 #include <cmath>
 
+#include "machine/pins/pins.hpp"
 #include "result/formats/formats.hpp"
 #include "result/formats/json_text.hpp"
 #include "result/formats/plan_schema.hpp"
@@ -47,17 +48,20 @@ class FigureLines {
 std::string write_csv(const Plan& plan) {
     constexpr int micrometres = 6;
     Text text;
-    add(text, "s,t,x,y,heading,curvature,v,omega,pins,rake_x,rake_y,motion,stroke\n");
+    add(text, "s,t,x,y,heading,curvature,v,omega,pins,rake_x,rake_y,motion,stroke,told\n");
     double s = 0;
-    for (std::size_t i = 0; i < plan.samples.size(); ++i) {
-        const Sample& sample = plan.samples[i];
-        if (i > 0) s += arc_between(plan.samples[i - 1].pose, sample.pose);
+    const std::vector<Sample> told = pins::told(plan.robot, plan.samples);
+    std::size_t done = 0;  // the plan's own sample that holds here: what the pins do
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        const Sample& sample = told[i];
+        if (i > 0) s += arc_between(told[i - 1].pose, sample.pose);
+        while (done + 1 < plan.samples.size() && plan.samples[done + 1].t <= sample.t) ++done;
         for (const double value : {s, sample.t, sample.pose.at.x, sample.pose.at.y, sample.pose.heading,
                                    sample.curvature, sample.speed, sample.turn_rate}) {
             add_fixed(text, value, micrometres);
             add(text, ",");
         }
-        add_number(text, static_cast<long long>(sample.mask));
+        add_number(text, static_cast<long long>(plan.samples[done].mask));
         for (const double value : {sample.rake.x, sample.rake.y}) {
             add(text, ",");
             add_fixed(text, value, micrometres);
@@ -66,6 +70,8 @@ std::string write_csv(const Plan& plan) {
         add(text, name_of(sample.motion));
         add(text, ",");
         add_number(text, static_cast<long long>(sample.stroke));
+        add(text, ",");
+        add_number(text, static_cast<long long>(sample.mask));
         add(text, "\n");
     }
     return text;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "result/picture/page.hpp"
 #include "result/sketch/sketch.hpp"
 
 namespace strandline::picture {
@@ -242,11 +243,6 @@ void paint_all(Painter& paint, const Plan& plan, const Sketch& sketch) {
     }
 }
 
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned length) {
-    static_cast<std::string*>(bytes)->append(data, data + length);
-    return CAIRO_STATUS_SUCCESS;
-}
-
 }  // namespace
 
 Outcome<std::string> png(const Plan& plan, const Look& look) {
@@ -261,18 +257,10 @@ Outcome<std::string> png(const Plan& plan, const Look& look) {
     const int columns = std::max(1, static_cast<int>(std::lround(width * scale)));
     const int rows = std::max(1, static_cast<int>(std::lround(height * scale)));
 
-    const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-        cairo_image_surface_create(CAIRO_FORMAT_RGB24, columns, rows), cairo_surface_destroy);
-    const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cr(cairo_create(surface.get()), cairo_destroy);
-    Painter paint(cr.get(), sketch, scale);
+    const Page page(columns, rows);
+    Painter paint(page.cairo(), sketch, scale);
     paint_all(paint, plan, sketch);
-    std::string bytes;
-    cairo_status_t status = cairo_status(cr.get());
-    if (status == CAIRO_STATUS_SUCCESS)
-        status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
-    if (status != CAIRO_STATUS_SUCCESS)
-        return fail("picture", cairo_status_to_string(status), "make the picture smaller");
-    return bytes;
+    return page.png();
 }
 
 }  // namespace strandline::picture

@@ -4,6 +4,7 @@
 
 #include "base/outcome/outcome.hpp"
 #include "plan/model/model.hpp"
+#include "result/shade/shade.hpp"
 
 namespace strandline::picture {
 
@@ -14,5 +15,12 @@ struct Look {
 };
 /// PNG bytes: rake down black at true width, rake up red with arrows, start dot, legend with a metre rule.
 Outcome<std::string> png(const Plan& plan, const Look& look = {});
+
+/// PNG bytes of an image.
+Outcome<std::string> image_png(const shade::Image& image);
+/// PNG bytes: the sand after a drive, seen from above (shade::sand).
+Outcome<std::string> sand_png(const surface::Surface& surface, const shade::View& view);
+/// PNG bytes: each flaw in its colour, with the key below (shade::flaws).
+Outcome<std::string> flaws_png(const surface::Surface& surface, const shade::View& view);
 
 }  // namespace strandline::picture

@@ -22,13 +22,4 @@ struct Accounts {
 };
 Accounts region_accounts(const Plan& plan, const Ground& ground, Box laid);
 
-/// Cells of one row that are bare: first .. end - 1.
-struct BareRun {
-    int row, first, end;
-};
-/// Runs, by row and then by cell, in pieces that hang together by edges: those that are at least `least`
-/// metres wide and high. O(runs log runs).
-std::vector<Bare> bare_pieces(const std::vector<BareRun>& runs, const Ground& ground, double least,
-                              int element);
-
 }  // namespace strandline::sand

@@ -1,9 +1,9 @@
-#include "result/check/nearest.hpp"
+#include "math/nearest/nearest.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace strandline::check {
+namespace strandline {
 namespace {
 
 /// Segments in a leaf: below this a scan is quicker than more boxes.
@@ -103,4 +103,4 @@ bool BandedRegion::contains(Point p) const {
     return inside;
 }
 
-}  // namespace strandline::check
+}  // namespace strandline

@@ -5,7 +5,7 @@
 
 #include "math/geometry/geometry.hpp"
 
-namespace strandline::check {
+namespace strandline {
 
 /// Segments under a binary tree of boxes in the order given; a path's neighbours share a box, so the tree is
 /// tight.
@@ -36,4 +36,4 @@ class BandedRegion {
     std::vector<SegmentTree::Segments> bands_;
 };
 
-}  // namespace strandline::check
+}  // namespace strandline

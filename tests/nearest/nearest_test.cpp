@@ -1,9 +1,9 @@
-#include "result/check/nearest.hpp"
+#include "math/nearest/nearest.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace strandline::check {
+namespace strandline {
 namespace {
 
 Point any_point() { return {*rc::gen::inRange(-1000, 1000) / 100.0, *rc::gen::inRange(-1000, 1000) / 100.0}; }
@@ -39,4 +39,4 @@ TEST(Nearest, BandsHoldWhatTheRegionHolds) {
 }
 
 }  // namespace
-}  // namespace strandline::check
+}  // namespace strandline

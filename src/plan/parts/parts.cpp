@@ -1,0 +1,218 @@
+#include "plan/parts/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "path/trajectory/trajectory.hpp"
+
+namespace strandline::parts {
+namespace {
+
+/// The samples of each stroke: from the first that draws it to the first after it.
+struct Extent {
+    std::size_t first = std::numeric_limits<std::size_t>::max(), end = 0;
+};
+std::vector<Extent> extents(const Plan& plan) {
+    std::vector<Extent> list(plan.strokes.size());
+    for (std::size_t i = 0; i + 1 < plan.samples.size(); ++i) {
+        const int stroke = plan.samples[i].stroke;
+        if (plan.samples[i].motion != Motion::draw || stroke < 0 || stroke >= static_cast<int>(list.size()))
+            continue;
+        Extent& extent = list[static_cast<std::size_t>(stroke)];
+        extent.first = std::min(extent.first, i);
+        extent.end = i + 1;
+    }
+    return list;
+}
+
+/// Where the way that belongs to a stroke begins: with the lead before it.
+std::size_t lead_of(const Plan& plan, std::size_t sample) {
+    while (sample > 0 && plan.samples[sample - 1].motion == Motion::lead) --sample;
+    return sample;
+}
+
+/// The elements that the part's strokes draw, numbered anew; strokes follow.
+void keep_elements(Plan& part, const Plan& whole, int first, int end) {
+    std::set<int> used;
+    for (const Stroke& stroke : part.strokes) used.insert(stroke.element);
+    std::vector<int> number(whole.drawing.elements.size(), -1);
+    part.drawing.elements.clear();
+    for (const int e : used) {
+        if (e < 0) continue;
+        number[static_cast<std::size_t>(e)] = static_cast<int>(part.drawing.elements.size());
+        part.drawing.elements.push_back(whole.drawing.elements[static_cast<std::size_t>(e)]);
+    }
+    const auto renumbered = [&](int e) { return e < 0 ? -1 : number[static_cast<std::size_t>(e)]; };
+    for (Element& element : part.drawing.elements) element.inside = renumbered(element.inside);
+    std::set<int> elsewhere;
+    for (int k = 0; k < static_cast<int>(whole.strokes.size()); ++k)
+        if (k < first || k >= end) elsewhere.insert(whole.strokes[static_cast<std::size_t>(k)].element);
+    for (const int e : used)
+        if (e >= 0 && elsewhere.contains(e))
+            part.warnings.push_back({whole.drawing.elements[static_cast<std::size_t>(e)].id,
+                                     "is drawn in more than one part: here only some of its strokes"});
+    for (Stroke& stroke : part.strokes) stroke.element = renumbered(stroke.element);
+}
+
+/// Places that the part's drive comes nearer to than the rest of the whole does.
+std::vector<Spot> near_to(const std::vector<Spot>& spots, const std::vector<Sample>& whole, std::size_t from,
+                          std::size_t to) {
+    std::vector<Spot> kept;
+    for (const Spot& spot : spots) {
+        double here = std::numeric_limits<double>::infinity(), elsewhere = here;
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            double& least = i >= from && i <= to ? here : elsewhere;
+            least = std::min({least, distance(whole[i].pose.at, spot.at), distance(whole[i].rake, spot.at)});
+        }
+        if (here <= elsewhere) kept.push_back(spot);
+    }
+    return kept;
+}
+
+}  // namespace
+
+void measure(Figures& figures, const std::vector<Sample>& samples) {
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const Sample &a = samples[i - 1], &b = samples[i];
+        const double driven = distance(a.pose.at, b.pose.at);
+        const double bend = std::max(std::abs(a.curvature), std::abs(b.curvature));
+        switch (a.motion) {
+            case Motion::draw:
+                figures.drawn += distance(a.rake, b.rake);
+                figures.tightest_drawn = std::max(figures.tightest_drawn, std::abs(a.curvature));
+                break;
+            case Motion::loop:
+                figures.loops_driven += driven;
+                figures.tightest_up = std::max(figures.tightest_up, bend);
+                break;
+            case Motion::connect:
+                figures.up_driven += driven;
+                figures.tightest_up = std::max(figures.tightest_up, bend);
+                break;
+            case Motion::lead:
+                figures.up_driven += driven;
+                break;
+            case Motion::pivot:
+                break;
+        }
+    }
+    figures.time = samples.empty() ? 0 : samples.back().t;
+}
+
+Plan part(const Plan& plan, int first, int end) {
+    Plan part = plan;
+    const std::vector<Extent> all = extents(plan);
+    const auto slice = [&](auto& list) {
+        list.erase(list.begin() + end, list.end());
+        list.erase(list.begin(), list.begin() + first);
+    };
+    slice(part.strokes);
+    slice(part.order);
+    for (Entry& entry : part.order) entry.stroke -= first;
+    std::erase_if(part.connections,
+                  [&](const PlannedConnection& c) { return c.from < first || c.to >= end; });
+    for (PlannedConnection& c : part.connections) {
+        c.from -= first;
+        c.to -= first;
+    }
+    std::erase_if(part.stops, [&](const Stop& stop) { return stop.stroke <= first || stop.stroke >= end; });
+
+    const std::size_t from = first == 0 ? 0 : lead_of(plan, all[static_cast<std::size_t>(first)].first);
+    const std::size_t to = end == static_cast<int>(plan.strokes.size())
+                               ? plan.samples.size() - 1
+                               : all[static_cast<std::size_t>(end - 1)].end;
+    part.samples.assign(plan.samples.begin() + static_cast<std::ptrdiff_t>(from),
+                        plan.samples.begin() + static_cast<std::ptrdiff_t>(to + 1));
+    for (Sample& sample : part.samples)
+        if (sample.stroke >= 0) sample.stroke -= first;
+    Sample& last = part.samples.back();
+    last.mask = 0;
+    last.stroke = -1;
+    last.motion = Motion::connect;
+    const std::vector<Sample> before = part.samples;
+    part.samples = trajectory::retimed(std::move(part.samples), plan.robot);
+    for (Stop& stop : part.stops) {
+        // The instant at which the whole plan stopped, in the part's own time.
+        std::size_t i = 0;
+        while (i + 1 < before.size() && before[i].t < stop.time) ++i;
+        stop.time = part.samples[i].t;
+        stop.stroke -= first;
+    }
+    keep_elements(part, plan, first, end);
+    part.undrivable = near_to(plan.undrivable, plan.samples, from, to);
+    part.blemishes = near_to(plan.blemishes, plan.samples, from, to);
+    part.bare = near_to(plan.bare, plan.samples, from, to);
+    Figures figures;
+    figures.elements = static_cast<int>(part.drawing.elements.size());
+    figures.regions = static_cast<int>(std::ranges::count_if(part.drawing.elements, is_region));
+    figures.lines = figures.elements - figures.regions;
+    figures.strokes = end - first;
+    figures.reproducible = plan.figures.reproducible;
+    measure(figures, part.samples);
+    part.figures = figures;
+    return part;
+}
+
+std::vector<int> cuts(const Plan& plan, const Limit& limit) {
+    const std::vector<Extent> all = extents(plan);
+    std::vector<double> driven{0};
+    for (std::size_t i = 1; i < plan.samples.size(); ++i)
+        driven.push_back(driven.back() + distance(plan.samples[i - 1].pose.at, plan.samples[i].pose.at));
+    const int count = static_cast<int>(plan.strokes.size());
+    const auto fits = [&](int first, int end) {
+        const std::size_t from = lead_of(plan, all[static_cast<std::size_t>(first)].first);
+        const std::size_t to = all[static_cast<std::size_t>(end - 1)].end;
+        return (limit.seconds <= 0 || plan.samples[to].t - plan.samples[from].t <= limit.seconds) &&
+               (limit.metres <= 0 || driven[to] - driven[from] <= limit.metres);
+    };
+    const auto whole_until = [&](int end) {
+        return end == count || plan.strokes[static_cast<std::size_t>(end - 1)].element !=
+                                   plan.strokes[static_cast<std::size_t>(end)].element;
+    };
+    std::vector<int> begins;
+    for (int first = 0; first < count;) {
+        begins.push_back(first);
+        int end = first + 1, whole = whole_until(end) && fits(first, end) ? end : 0;
+        for (int next = end + 1; next <= count && fits(first, next); ++next) {
+            end = next;
+            if (whole_until(next)) whole = next;
+        }
+        first = whole > 0 ? whole : end;
+    }
+    return begins;
+}
+
+Outcome<int> stroke_at(const Plan& plan, const From& from) {
+    const std::vector<Extent> all = extents(plan);
+    const int count = static_cast<int>(plan.strokes.size());
+    if (const double* time = std::get_if<double>(&from)) {
+        for (int k = 0; k < count; ++k)
+            if (plan.samples[all[static_cast<std::size_t>(k)].end].t > *time) return k;
+        return fail(
+            "--from", fmt::format("{:g} s is after the last stroke", *time),
+            fmt::format("the drive takes {:.0f} s", plan.samples.empty() ? 0 : plan.samples.back().t));
+    }
+    if (const std::string* id = std::get_if<std::string>(&from)) {
+        for (int k = 0; k < count; ++k) {
+            const int e = plan.strokes[static_cast<std::size_t>(k)].element;
+            if (e >= 0 && plan.drawing.elements[static_cast<std::size_t>(e)].id == *id) return k;
+        }
+        return fail("--from " + *id, "no element of that name is drawn",
+                    "name an element of the plan, a time (12min) or a place (3.5,2)");
+    }
+    const Point place = std::get<Point>(from);
+    int best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Sample& sample : plan.samples)
+        if (sample.motion == Motion::draw && distance(sample.rake, place) < least) {
+            least = distance(sample.rake, place);
+            best = sample.stroke;
+        }
+    return best;
+}
+
+}  // namespace strandline::parts
