@@ -101,6 +101,7 @@ class Rows {
 }  // namespace
 
 std::vector<Visit> greedy_order(const Model& model, const Candidates& near) {
+    if (model.pieces.empty()) return {};
     Rows rows(model);
     std::vector<Pair> links;
     for (int node = 0; node < 2 * model.piece_count(); ++node)

@@ -79,8 +79,8 @@ struct Entries {
     std::vector<Point> at;  ///< by step; of an open element: the end it is entered at
     double length = 0;      ///< of the legs between, never longer than from vertex to vertex
 };
-/// For that order: one entry after the other is put where the legs beside it are shortest (a mirror's law on each edge),
-/// until none gains. Fixed and linked entries stay. `steps` as of a Tour. O(rounds x points).
+/// For that order: one entry after the other is put where the legs beside it are shortest (a mirror's law on
+/// each edge), until none gains. Fixed and linked entries stay. `steps` as of a Tour. O(rounds x points).
 Entries entered_on_edges(const Problem& problem, const std::vector<Step>& steps);
 /// Recount of a given order: Error when it is not valid for the problem (which step, why).
 Outcome<double> recount(const Problem& problem, const std::vector<Step>& steps);
