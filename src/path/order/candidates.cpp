@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "path/order/worth.hpp"
+
 namespace strandline::order {
 namespace {
 
@@ -64,10 +66,10 @@ Candidate candidate(const Group& group, const Going& going, const Robot& robot) 
 }
 
 /// Rake up between the parts of one stroke.
-double looped(const drive::Drive& drive) {
+double looped(const drive::Drive& drive, const Options& options) {
     double sum = 0;
     for (const Leg& leg : drive.legs)
-        if (leg.motion == Motion::loop) sum += leg.path.back().s - leg.path.front().s;
+        if (leg.motion == Motion::loop) sum += worth(leg.curve, options);
     return sum;
 }
 
@@ -79,10 +81,11 @@ struct Ways {
 
 /// Corners that cost a loop where the stroke is not entered there, those with the longest first, then evenly
 /// spread nodes and the tour's own.
-Ways ways_into(const Stroke& stroke, int chosen, const Robot& robot, drive::Options options) {
-    options.step = std::max(options.step, coarse_step);
+Ways ways_into(const Stroke& stroke, int chosen, const Robot& robot, const Options& options) {
+    drive::Options driving = options.drive;
+    driving.step = std::max(driving.step, coarse_step);
     const auto looped_from = [&](int node) {
-        return looped(drive::drive(stroke, 0, node, false, robot, options));
+        return looped(drive::drive(stroke, 0, node, false, robot, driving), options);
     };
     const std::size_t n = stroke.nodes.size(), count = std::min(n, most_candidates);
     Ways ways{{chosen}, {looped_from(chosen)}};
@@ -116,7 +119,7 @@ Ways ways_into(const Stroke& stroke, int chosen, const Robot& robot, drive::Opti
 }
 
 std::vector<Candidate> candidates(const Job& job, const tour::Step& step, const Robot& robot,
-                                  const drive::Options& options) {
+                                  const Options& options) {
     const Group& group = job.groups[static_cast<std::size_t>(step.element)];
     const Stroke& first = group.work.strokes.front();
     const bool single = is_single(group);
@@ -153,7 +156,7 @@ bool is_tied(const Job& job, int group) {
 }
 
 Choices choices_of(const Job& job, const std::vector<tour::Step>& steps, const Robot& robot,
-                   const drive::Options& options) {
+                   const Options& options) {
     Choices choices(job.groups.size());
     for (const tour::Step& step : steps)
         choices[static_cast<std::size_t>(step.element)] = candidates(job, step, robot, options);

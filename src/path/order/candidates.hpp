@@ -28,7 +28,7 @@ using Choices = std::vector<std::vector<Candidate>>;
 /// has corners which the robot loops round is driven once for each of them: entered there, it saves that
 /// loop.
 Choices choices_of(const Job& job, const std::vector<tour::Step>& steps, const Robot& robot,
-                   const drive::Options& options);
+                   const Options& options);
 
 bool is_tied(const Job& job, int group);
 bool is_single(const Group& group);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "path/order/worth.hpp"
+
 namespace strandline::order {
 namespace {
 
@@ -58,7 +60,7 @@ class Chooser {
     void weigh(Driven& driven, double turned, std::vector<Passage>& tried) const {
         const Curve& curve = driven.joint.curve;
         driven.spoilt = spoilt(curve, finished_, pairs_, options_);
-        const double always = length(curve) + turned + driven.spoilt.hard * hard_cost;
+        const double always = worth(curve, options_) + turned + driven.spoilt.hard * hard_cost;
         driven.cost = always + driven.spoilt.crossings * options_.avoid.crossing_cost +
                       driven.spoilt.metres * options_.avoid.area_cost;
         tried.push_back(

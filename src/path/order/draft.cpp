@@ -5,6 +5,7 @@
 
 #include "path/order/chain.hpp"
 #include "path/order/shape.hpp"
+#include "path/order/worth.hpp"
 
 namespace strandline::order {
 namespace {
@@ -145,7 +146,7 @@ class Drafter {
         CurvatureState to;
         for (std::size_t k = 0; k < exits.size(); ++k) {
             Driven other = chosen(from, &last, {exits[k], 0}, nullptr, static_cast<int>(k));
-            if (!search_) other.cost = length(other.joint.curve);
+            if (!search_) other.cost = worth(other.joint.curve, options_);
             if (best && other.cost >= best->cost) continue;
             best = std::move(other);
             to = {exits[k], 0};
@@ -184,7 +185,7 @@ class Drafter {
     void shape(Driven& driven, int a, int b) {
         auto led = shaped(driven.joint, a, b, job_, options_.connect, answer_.unshaped);
         if (!led) return;
-        driven.cost += length(led->curve) - length(driven.joint.curve);
+        driven.cost += worth(led->curve, options_) - worth(driven.joint.curve, options_);
         driven.joint = std::move(*led);
         driven.through.clear();
         driven.spoilt = search_ ? spoilt(driven.joint.curve, finished_, search_->pairs, options_) : Spoilt{};
@@ -194,7 +195,7 @@ class Drafter {
         for (Leg& leg : driven.legs) {
             // Those of fills are the same whichever way they are taken, but for variants, which say so.
             if (leg.motion == Motion::loop && !answer_.strokes[static_cast<std::size_t>(leg.stroke)].fill)
-                cost_ += leg.path.back().s - leg.path.front().s;
+                cost_ += worth(leg.curve, options_);
             answer_.legs.push_back(std::move(leg));
         }
         for (const drive::Span& span : driven.undrivable) answer_.undrivable.push_back(span);

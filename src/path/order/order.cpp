@@ -73,7 +73,7 @@ Outcome<Ordered> ordered(const Job& whole, const Robot& robot, const Options& op
     Job& job = parts.job;
     const auto tour = tour::solve(problem_of(job), options.tour, progress);
     if (!tour) return tl::unexpected(tour.error());
-    const Choices choices = choices_of(job, tour->steps, robot, options.drive);
+    const Choices choices = choices_of(job, tour->steps, robot, options);
     const std::vector<Going> goings = with_driven_senses(job, tour->steps, choices, robot);
     // Where turns cost nothing, straight gaps are what is driven, and nothing is rolled over.
     const bool curved = robot.min_radius > 0 && options.connect.style != connect::Style::straight;

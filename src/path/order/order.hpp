@@ -86,6 +86,9 @@ struct Options {
     connect::Options connect;
     Avoid avoid;
     bool straight = false;  ///< the order of least straight gaps stays; nothing is avoided
+    /// Metres: travel speed / turn rate, where time is to be least: bends with more curvature than 1 / this
+    /// are driven slower, and count for more. 0: metres are.
+    double slow_bends = 0;
     double min_gap = 0.02;  ///< metres: nearer strokes are joined directly
 };
 

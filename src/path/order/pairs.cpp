@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "path/order/worth.hpp"
+
 namespace strandline::order {
 namespace {
 
@@ -95,7 +97,7 @@ Pairs::Entry Pairs::first_look(int from, int to) const {
         entry.shortest = std::min(entry.shortest, d + turned(wrap_angle(ahead - a.end.heading)) +
                                                       turned(wrap_angle(b.start.heading - ahead)));
     }
-    if (!options_.avoid.on && !hard_.near(a.end.at, b.start.at)) {
+    if (options_.slow_bends <= 0 && !options_.avoid.on && !hard_.near(a.end.at, b.start.at)) {
         entry.weighed = true;
         entry.passages = {{entry.shortest}};
     }
@@ -132,7 +134,8 @@ const std::vector<Passage>& Pairs::passages(int from, int to) {
     };
     double least = std::numeric_limits<double>::infinity();
     for (const Curve& curve : curves) {
-        const double l = found.passages.empty() ? found.shortest : length(curve);
+        const double l =
+            found.passages.empty() && options_.slow_bends <= 0 ? found.shortest : worth(curve, options_);
         if (l >= least) continue;  // a shorter one is cheaper, whatever is drawn
         found.passages.push_back(
             passage(l, curve, {.area = guessed_detour, .hard = guessed_hard_detour}, group_of(from)));
@@ -145,9 +148,9 @@ const std::vector<Passage>& Pairs::passages(int from, int to) {
 double Pairs::cheapest_word(Pose from, Pose to, bool all_finished) const {
     double best = std::numeric_limits<double>::infinity();
     for (const Curve& word : dubins_words(from, to, robot_.min_radius)) {
-        if (length(word) >= best) continue;
-        const Passage way =
-            passage(length(word), word, {.area = guessed_detour, .hard = guessed_hard_detour});
+        const double metres = worth(word, options_);
+        if (metres >= best) continue;
+        const Passage way = passage(metres, word, {.area = guessed_detour, .hard = guessed_hard_detour});
         double sum = way.length;
         if (all_finished)
             for (const Passage::Spoils& spoils : way.spoils) sum += spoils.cost;

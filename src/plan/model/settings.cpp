@@ -459,13 +459,13 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.tour.method; }},
         {"tour.cost",
-         "what the search makes least: metres driven between robot poses with what avoid.* asks for, or "
-         "straight "
-         "gaps",
+         "what the search makes least: metres driven between robot poses with what avoid.* asks for, seconds "
+         "(the "
+         "same, with bends that the robot takes slower), or straight gaps",
          Kind::choice,
          0,
          0,
-         {"driven", "straight"},
+         {"driven", "seconds", "straight"},
          "",
          [](Options& o) -> Field { return &o.tour.cost; }},
         {"tour.grouped",

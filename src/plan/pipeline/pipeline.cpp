@@ -52,6 +52,7 @@ order::Options pipeline::order_options(const Options& options, const Robot& robo
     o.tour.grouped = options.tour.grouped;
     o.tour.threads = options.tour.threads;
     o.straight = options.tour.cost == "straight";
+    if (options.tour.cost == "seconds") o.slow_bends = robot.travel_speed / robot.turn_rate;
     o.tour.seed = static_cast<std::uint64_t>(options.tour.seed);
     o.tour.moves = static_cast<std::uint64_t>(options.tour.moves);
     o.drive.corner_threshold = options.corner.threshold;
