@@ -18,6 +18,7 @@ from harness import peak_mb, percent, run, table
 
 ROOT = Path(__file__).resolve().parent.parent
 AGREEMENT = None  # the program of bench/agreement
+LKH = None  # --lkh: LKH's program, built elsewhere (research licence: neither its code nor its binary belongs here)
 EVERYTHING = False  # --all: 100,000 pairs, fills of all fresh shapes, and 1,000 random regions
 
 
@@ -166,6 +167,24 @@ def timed_tour_row(program, path, folder, goal, limit, seeds=(1, 2, 3, 4, 5)):
     return [path.stem, limit, f"{min(lengths):.2f}", f"{mean:.2f}", f"{max(lengths):.2f}", goal, sum(l <= goal for l in lengths)]
 
 
+def beside_lkh(program, solver, path, folder, limit):
+    """one row: the same closed tour of lines by both; LKH's limit begins after its candidates are made"""
+    instance = dict(json.loads(path.read_text()), start=None, end="start")
+    ring, problem, tour, call = (folder / f"ring.{end}" for end in ("json", "tsp", "tour", "par"))
+    ring.write_text(json.dumps(instance))
+    assert run([program, "tour", ring, "--write-tsplib", problem, "-q"])[0] == 0
+    call.write_text(f"PROBLEM_FILE = {problem}\nOUTPUT_TOUR_FILE = {tour}\nRUNS = 1\nSEED = 1\nTIME_LIMIT = {limit}\n")
+    theirs, taken = None, run([solver, call])[3]
+    if tour.exists():
+        out = run([program, "tour", ring, "--read-tour", tour, "-o", folder / "tour.json", "--json"])[1]
+        theirs = json.loads(out)["length"]
+    def ours(seconds):
+        out = run([program, "tour", ring, "--time-limit", f"{seconds:.2f}s", "-o", folder / "tour.json", "--json", "-q"])[1]
+        return json.loads(out)["length"]
+    lengths = [ours(taken), ours(taken / 5)]
+    return [path.stem, limit, f"{taken:.1f}", f"{theirs:.0f}" if theirs else "no tour"] + [f"{l:.0f}" + (f" ({l / theirs:.4f})" if theirs else "") for l in lengths]
+
+
 def random_instance(kind, n, seed):
     r, side, elements = random.Random(seed), 100 * math.sqrt(n), []
     for _ in range(n):
@@ -203,6 +222,11 @@ def tour(program, shared, folder):
             path.write_text(json.dumps(random_instance(kind, n, seed)))
             rows.append(tour_row(program, path, folder, None))
     table("Tour: fresh cases", head, rows)
+    if LKH:
+        cases = [(instances / f"{name}.json", limit) for name, limit in (("seg_100", 1), ("seg_1k", 1))] if instances.is_dir() else []
+        cases += [(folder / f"fresh_lines_1000_{seed}.json", 1) for seed in (101, 102)]
+        table("Tour: closed tours of lines beside LKH, one run each", ["instance", "LKH's TIME_LIMIT s", "its CPU s", "LKH", "ours in as many s (ratio)", "ours in a fifth of them"],
+              [beside_lkh(program, LKH, path, folder, limit) for path, limit in cases])
 
 
 # ---- connect: bench/connect.py -------------------------------------------------------------------------------------------------
@@ -268,10 +292,11 @@ def main():
     parser.add_argument("--shared", default=ROOT.parent / "shared", type=Path)
     parser.add_argument("--only", default="drawings,clipart,svg,tour,connect,fill,fill-vehicles,convert,simulate")
     parser.add_argument("--all", action="store_true", help="connect: 100,000 pairs by the judge's rule; fill: more fresh shapes, every shape turned and scaled, 1,000 random regions")
+    parser.add_argument("--lkh", help="tour: the program of LKH, to run beside ours")
     parser.add_argument("--agreement", help="the program that draws beside librsvg")
     arguments = parser.parse_args()
-    global AGREEMENT, EVERYTHING
-    AGREEMENT, EVERYTHING = arguments.agreement, arguments.all
+    global AGREEMENT, EVERYTHING, LKH
+    AGREEMENT, EVERYTHING, LKH = arguments.agreement, arguments.all, arguments.lkh
     program = Path(arguments.program).resolve()
     version = run([program, "--version"])[1].strip()
     print(f"# Bench\n\n{version}, measured {time.strftime('%Y-%m-%d')} by `scripts/bench`. Times are of a shared two-core machine: compare ratios.")

@@ -47,6 +47,23 @@ TEST(Tsplib, ToursOfLinesAreReadFromEitherEndAndAnyTurn) {
     EXPECT_EQ(read_tsplib_tour("TOUR_SECTION\n3 4 1 2 5 6 -1", "t", problem), wanted) << "backwards";
 }
 
+TEST(Tsplib, AClosedTourOfLinesIsARing) {
+    tour::Problem problem = two_lines();
+    problem.end = tour::End::at_start;
+    auto text = write_tsplib(problem);
+    ASSERT_TRUE(text);
+    EXPECT_NE(text->find("TYPE : TSP\nDIMENSION : 4\n"), std::string::npos) << *text;
+    const std::vector<tour::Step> wanted{{0, 2, true}, {1, 1, true}};
+    EXPECT_EQ(read_tsplib_tour("TOUR_SECTION\n3\n2\n1\n4\n-1\n", "t", problem), wanted);
+    problem.start = Point{1, 1};
+    text = write_tsplib(problem);
+    ASSERT_TRUE(text);
+    EXPECT_NE(text->find("TYPE : TSP\nDIMENSION : 5\n"), std::string::npos) << *text;
+    EXPECT_NE(text->find("\n1 2\n3 4\n-1\n"), std::string::npos) << *text;
+    EXPECT_EQ(read_tsplib_tour("TOUR_SECTION\n4 3 5 2 1 -1", "t", problem), wanted);
+    EXPECT_FALSE(read_tsplib_tour("TOUR_SECTION\n4 3 2 1 -1", "t", problem));
+}
+
 TEST(Tsplib, ClosedLinesMakeSetsOfWays) {
     tour::Problem problem = two_lines();
     problem.elements.push_back(element(true, {{0, 30}, {4, 30}, {4, 34}}));

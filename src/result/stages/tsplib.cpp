@@ -67,7 +67,7 @@ Ways all_ways(const tour::Problem& problem) {
 bool is_plain(const tour::Problem& problem) {
     for (std::size_t i = 0; i < problem.elements.size(); ++i)
         if (problem.elements[i].closed || ways_of(problem, static_cast<int>(i)).size() < 2) return false;
-    return problem.end == tour::End::free;
+    return problem.end != tour::End::at_point;
 }
 
 Box box_of(const tour::Problem& problem) {
@@ -86,26 +86,27 @@ double scale_for(double longest) {
 
 std::string written_lines(const tour::Problem& problem, const Box& box) {
     const double diagonal = distance(box.low, box.high), scale = scale_for((far_away + 2) * diagonal);
-    const std::size_t n = problem.elements.size(), nodes = 2 * n + (problem.start ? 2 : 0);
+    const bool ring = problem.end == tour::End::at_start;
+    const std::size_t n = problem.elements.size(), pairs = n + (problem.start && !ring ? 1 : 0),
+                      nodes = 2 * pairs + (problem.start && ring ? 1 : 0);
     fmt::memory_buffer out;
     const auto write = [&](std::size_t node, Point p) {
         fmt::format_to(std::back_inserter(out), "{} {:.3f} {:.3f}\n", node, scale * p.x, scale * p.y);
     };
-    fmt::format_to(
-        std::back_inserter(out),
-        "NAME : strandline\nCOMMENT : an open tour; node 2i+1 and 2i+2 are the ends of line i; lengths "
-        "times {}\nTYPE : HPP\nDIMENSION : {}\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n",
-        scale, nodes);
+    fmt::format_to(std::back_inserter(out),
+                   "NAME : strandline\nCOMMENT : {} tour; node 2i+1 and 2i+2 are the ends of line i; lengths "
+                   "times {}\nTYPE : {}\nDIMENSION : {}\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n",
+                   ring ? "a closed" : "an open", scale, ring ? "TSP" : "HPP", nodes);
     for (std::size_t i = 0; i < n; ++i) {
         write(2 * i + 1, problem.elements[i].points.front());
         write(2 * i + 2, problem.elements[i].points.back());
     }
-    if (problem.start) {
-        write(2 * n + 1, *problem.start);
+    if (problem.start) write(2 * n + 1, *problem.start);
+    if (pairs > n) {
         write(2 * n + 2, *problem.start - Point{far_away * diagonal, 0});
     }
     fmt::format_to(std::back_inserter(out), "FIXED_EDGES_SECTION\n");
-    for (std::size_t i = 0; i < nodes / 2; ++i)
+    for (std::size_t i = 0; i < pairs; ++i)
         fmt::format_to(std::back_inserter(out), "{} {}\n", 2 * i + 1, 2 * i + 2);
     fmt::format_to(std::back_inserter(out), "-1\nEOF\n");
     return fmt::to_string(out);
@@ -180,7 +181,12 @@ Outcome<std::vector<long>> numbers_of(std::string_view text, const std::string& 
 Outcome<std::vector<tour::Step>> steps_of_lines(std::vector<long> nodes, const std::string& place,
                                                 const tour::Problem& problem) {
     const long n = static_cast<long>(problem.elements.size());
-    if (problem.start) {  // the far point in front, then the start
+    if (problem.start && problem.end == tour::End::at_start) {
+        const auto start = std::ranges::find(nodes, 2 * n + 1);
+        if (start == nodes.end()) return fail(place, fmt::format("node {} is missing", 2 * n + 1));
+        std::rotate(nodes.begin(), start, nodes.end());
+        nodes.erase(nodes.begin());
+    } else if (problem.start) {  // the far point in front, then the start
         const auto far = std::ranges::find(nodes, 2 * n + 2);
         if (far == nodes.end()) return fail(place, fmt::format("node {} is missing", 2 * n + 2));
         std::rotate(nodes.begin(), far, nodes.end());
