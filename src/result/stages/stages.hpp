@@ -25,9 +25,10 @@ std::string write_solution(const tour::Tour& tour, const tour::Problem& problem,
                            const std::optional<tour::Entries>& entries = {});
 /// The problem for solvers of others (TSPLIB, Reinelt, ORSA Journal on Computing 3, 1991). Lines that may be
 /// run either way, to anywhere: coordinates, a node for each end, fixed edges, an open tour (TYPE HPP); a far
-/// point tied to the start keeps it in front; a closed tour as it is (TYPE TSP). All else: AGTSP, a set for each element, a node for each way to
-/// pass it, full matrix of at most 10,000 nodes. Lengths are whole numbers there: COMMENT says by how much
-/// they are scaled. Error: links, before or groups, which the format does not know; too many nodes.
+/// point tied to the start keeps it in front; a closed tour as it is (TYPE TSP). All else: AGTSP, a set for
+/// each element, a node for each way to pass it, full matrix of at most 10,000 nodes. Lengths are whole
+/// numbers there: COMMENT says by how much they are scaled. Error: links, before or groups, which the format
+/// does not know; too many nodes.
 Outcome<std::string> write_tsplib(const tour::Problem& problem);
 /// A TOUR_SECTION over the nodes that write_tsplib numbers. Error: not such a tour, by line and node.
 Outcome<std::vector<tour::Step>> read_tsplib_tour(std::string_view text, const std::string& place,
