@@ -19,4 +19,12 @@ std::vector<Sample> told(const Robot& robot, const std::vector<Sample>& done);
 /// The opposite: what pins do that are told the masks of the samples. Changes after the end are lost.
 std::vector<Sample> done(const Robot& robot, const std::vector<Sample>& told);
 
+/// Neighbouring pins that are down: they rake from `left` to `right` of the rake's centre, metres, left
+/// positive.
+struct Comb {
+    double left, right;
+};
+/// Of a mask, from left to right; its highest bit is the leftmost pin. O(pins).
+std::vector<Comb> combs_of(const Robot& robot, unsigned mask);
+
 }  // namespace strandline::pins

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machine/pins/pins.hpp"
 #include "result/sand/accounts.hpp"
 #include "result/sand/crossings.hpp"
 
@@ -18,28 +19,8 @@ constexpr double outside_field = 5.0;
 constexpr double own_end = 0.05;
 /// Metres: crossings that near are one point, seen from two pieces.
 constexpr double same_point = 1e-6;
-/// Bits of a mask.
-constexpr int most_pins = 32;
 /// Samples between reports of progress.
 constexpr std::size_t report_every = 2048;
-
-/// Neighbouring pins that are down: lateral positions in the body frame.
-struct Comb {
-    double left, right;
-};
-std::vector<Comb> combs_of(const Robot& robot, unsigned mask) {
-    std::vector<Comb> combs;
-    const double edge = robot.pins * robot.pin_pitch / 2;
-    for (int pin = 0; pin < std::min(robot.pins, most_pins); ++pin) {
-        if ((mask >> (robot.pins - 1 - pin) & 1U) == 0) continue;  // the highest bit is the leftmost pin
-        const double left = edge - pin * robot.pin_pitch, right = left - robot.pin_pitch;
-        if (!combs.empty() && combs.back().right <= left + robot.pin_pitch / 2)
-            combs.back().right = right;
-        else
-            combs.push_back({left, right});
-    }
-    return combs;
-}
 
 /// The robot's axes at a sample, in the field's frame.
 struct Axes {
@@ -196,7 +177,7 @@ class Layer {
         if (line && a.rake != b.rake) lines_.add({a.rake, b.rake, element});
         const float now = static_cast<float>(driven_);
         const Point left0 = left_normal(unit(a.pose.heading)), left1 = left_normal(unit(b.pose.heading));
-        for (const Comb& comb : combs_of(plan_.robot, a.mask)) {
+        for (const pins::Comb& comb : pins::combs_of(plan_.robot, a.mask)) {
             const Bar swath = swept_bar(a.rake + comb.left * left0, a.rake + comb.right * left0,
                                         b.rake + comb.left * left1, b.rake + comb.right * left1);
             for_cells_in(ground_, swath.outline(), [&](int i, int j) {

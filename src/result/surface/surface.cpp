@@ -3,36 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machine/pins/pins.hpp"
+
 namespace strandline::surface {
 namespace {
 
 /// Metres: a longer step between samples is a jump of a broken drive.
 constexpr double longest_step = 1.0;
-/// Bits of a mask.
-constexpr int most_pins = 32;
 /// Hundredths of a groove's depth: the ridge thrown up between two pins, and what a wheel presses down.
 constexpr double groove_depth = 100, ridge_height = 60;
 constexpr std::int8_t wheel_depth = -25;
 /// Samples between questions whether to stop.
 constexpr std::size_t report_every = 2048;
-
-/// Neighbouring pins that are down: lateral positions in the body frame.
-struct Comb {
-    double left, right;
-};
-std::vector<Comb> combs_of(const Robot& robot, unsigned mask) {
-    std::vector<Comb> combs;
-    const double edge = robot.pins * robot.pin_pitch / 2;
-    for (int pin = 0; pin < std::min(robot.pins, most_pins); ++pin) {
-        if ((mask >> (robot.pins - 1 - pin) & 1U) == 0) continue;  // the highest bit is the leftmost pin
-        const double left = edge - pin * robot.pin_pitch, right = left - robot.pin_pitch;
-        if (!combs.empty() && combs.back().right <= left + robot.pin_pitch / 2)
-            combs.back().right = right;
-        else
-            combs.push_back({left, right});
-    }
-    return combs;
-}
 
 /// Cross section of a groove: a valley under the pin's middle, ridges where it meets its neighbour.
 std::int8_t profile(double pitches) {
@@ -125,7 +107,7 @@ void Layer::rake(const Sample& a, const Sample& b, bool fills) {
     const Point left0 = left_normal(unit(a.pose.heading)), left1 = left_normal(unit(b.pose.heading));
     const Point middle = between(a.rake, b.rake, 0.5), across = normalized(left0 + left1);
     const double pitches = 1 / robot.pin_pitch, half = robot.pins / 2.0;
-    for (const Comb& comb : combs_of(robot, a.mask)) {
+    for (const pins::Comb& comb : pins::combs_of(robot, a.mask)) {
         const Bar swath = swept_bar(a.rake + comb.left * left0, a.rake + comb.right * left0,
                                     b.rake + comb.left * left1, b.rake + comb.right * left1);
         for_cells(surface_, swath.outline(), [&](Tile& tile, std::size_t place, int i, int j) {
