@@ -79,8 +79,8 @@ struct Ways {
     std::vector<double> looped;
 };
 
-/// Corners that cost a loop where the stroke is not entered there, those with the longest first, then evenly
-/// spread nodes and the tour's own.
+/// The tour's own node, corners that cost a loop where the stroke is not entered there, then evenly spread
+/// nodes.
 Ways ways_into(const Stroke& stroke, int chosen, const Robot& robot, const Options& options) {
     drive::Options driving = options.drive;
     driving.step = std::max(driving.step, coarse_step);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "path/tour/tour.hpp"
+#include "path/tour/model.hpp"
 
 namespace strandline::tour {
 namespace {
@@ -61,11 +61,8 @@ Entries entered_on_edges(const Problem& problem, const std::vector<Step>& steps)
     const std::size_t n = steps.size();
     std::vector<Point> in, out;  // where each is entered and left
     for (const Step& step : steps) {
-        const Element& element = problem.elements[at(step.element)];
-        in.push_back(element.points[at(step.entry)]);
-        out.push_back(element.closed    ? in.back()
-                      : step.entry == 0 ? element.points.back()
-                                        : element.points.front());
+        in.push_back(entry_of(problem, step));
+        out.push_back(exit_of(problem, step));
     }
     const auto beside = [&](std::size_t k) {
         const bool ring = problem.end == End::at_start;

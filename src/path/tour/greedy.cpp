@@ -1,6 +1,5 @@
 // A first order by the shortest links.
 #include <algorithm>
-#include <numeric>
 
 #include "path/tour/near.hpp"
 

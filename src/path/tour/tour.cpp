@@ -92,7 +92,11 @@ Searched improved(const Model& model, const std::vector<Visit>& first, const Opt
 Outcome<Tour> solve_as_given(const Problem& problem, const Options& options, const Progress& progress) {
     const auto model = build_model(problem);
     if (!model) return tl::unexpected(model.error());
-    const auto first = options.method == Method::file ? file_order(*model) : first_order(*model);
+    const bool searches = options.method == Method::best || options.method == Method::exact;
+    // Without rules the search begins with an order of its own.
+    const auto first = searches && !model->rules.any    ? std::vector<Visit>{}
+                       : options.method == Method::file ? file_order(*model)
+                                                        : first_order(*model);
     if (!first) return tl::unexpected(first.error());
 
     Tour tour;
@@ -100,7 +104,7 @@ Outcome<Tour> solve_as_given(const Problem& problem, const Options& options, con
         tour.steps = steps_of(*model, in_first_sense(*model, order));
         tour.length = length_of(problem, tour.steps);
     };
-    if (options.method == Method::nearest || options.method == Method::file) {
+    if (!searches) {
         tour.steps = steps_of(*model, *first);
         tour.length = length_of(problem, tour.steps);
         return tour;
@@ -118,8 +122,7 @@ Outcome<Tour> solve_as_given(const Problem& problem, const Options& options, con
         small ? std::min(moves, moves_before_proof * static_cast<std::uint64_t>(std::max(pieces, 1))) : moves;
     Progress short_search = progress;
     if (small) short_search.time_used = {};
-    Searched searched = improved(*model, model->rules.any ? *first : std::vector<Visit>{}, options,
-                                 before_proof, short_search);
+    Searched searched = improved(*model, *first, options, before_proof, short_search);
     tour.moves = searched.moves;
     tour.stopped = searched.stopped || (!small && progress.time_used);
     state(searched.order);
