@@ -167,6 +167,16 @@ def timed_tour_row(program, path, folder, goal, limit, seeds=(1, 2, 3, 4, 5)):
     return [path.stem, limit, f"{min(lengths):.2f}", f"{mean:.2f}", f"{max(lengths):.2f}", goal, sum(l <= goal for l in lengths)]
 
 
+def large_tour_rows(program, shared, folder):
+    for kind, n, goals in (("seg", 100_000, ((5_000_000, 10), (4_970_000, 60))), ("mix", 20_000, ((972_000, 15), (965_500, 60)))):
+        for seed in (101, 102):
+            path = folder / f"{kind}_{n}_{seed}.json"
+            path.write_text(subprocess.run([sys.executable, shared / "judge/tour/make_random.py", kind, str(n), str(seed)], capture_output=True, text=True, check=True).stdout)
+            memory = f"{peak_mb([program, 'tour', path, '-o', folder / 'tour.json', '--time-limit', '10s', '-q']):.0f}"
+            for goal, limit in goals[:2 if EVERYTHING else 1]:
+                yield timed_tour_row(program, path, folder, goal, limit, seeds=(1,)) + [memory]
+
+
 def beside_lkh(program, solver, path, folder, limit):
     """one row: the same closed tour of lines by both; LKH's limit begins after its candidates are made"""
     instance = dict(json.loads(path.read_text()), start=None, end="start")
@@ -208,13 +218,7 @@ def tour(program, shared, folder):
         table("Tour: best known", head, [tour_row(program, instances / f"{name}.json", folder, best) for name, best in BEST_KNOWN.items()])
         head_timed = ["instance", "CPU s", "best of seeds", "mean", "worst", "goal", "seeds that meet it"]
         table("Tour: within a time", head_timed, [timed_tour_row(program, instances / f"{name}.json", folder, goal, limit) for name, goal, limit in TIMED])
-        rows = []
-        for kind, n, goal, limit in (("seg", 100_000, 5_000_000, 10), ("mix", 20_000, 972_000, 15)):
-            for seed in (101, 102):
-                path = folder / f"{kind}_{n}_{seed}.json"
-                path.write_text(subprocess.run([sys.executable, shared / "judge/tour/make_random.py", kind, str(n), str(seed)], capture_output=True, text=True, check=True).stdout)
-                rows.append(timed_tour_row(program, path, folder, goal, limit, seeds=(1,)))
-        table("Tour: large fresh ones within a time", head_timed, rows)
+        table("Tour: large fresh ones within a time", head_timed + ["peak MB"], large_tour_rows(program, shared, folder))
     rows = []
     for kind, n in (("lines", 30), ("mixed", 12), ("lines", 100), ("mixed", 200), ("lines", 1000)):
         for seed in (101, 102):
@@ -232,7 +236,7 @@ def tour(program, shared, folder):
 # ---- connect: bench/connect.py -------------------------------------------------------------------------------------------------
 
 def connect(program, shared, folder):
-    connections.report(program, shared, folder, 100_000 if EVERYTHING else 10_000)
+    connections.report(program, shared, folder, 100_000 if EVERYTHING else 10_000, ROOT)
 
 
 # ---- fill: bench/fill.py, bench/vehicles.py ------------------------------------------------------------------
