@@ -147,8 +147,33 @@ def tours(program, shared, folder, seeds=20):
           ["drawing", "driven m, seed 1", "Dubins of its order", "best Dubins tour", "driven / best", "least driven", "CPU s a plan"], rows)
 
 
-def report(program, shared, folder, n):
+def judged_crossings(program, shared, folder):
+    """of lines drawn before, by the trace judge on the robot's path; "" where it is not at hand"""
+    judge = shared / "judge/trace/metrics.py"
+    if not judge.is_file(): return ""
+    run([program, "export", folder / "plan.json", "--format", "trace", "--path", "robot", "-o", folder / "trace.json"])
+    text = subprocess.run(["/usr/bin/python3", str(judge), str(folder / "trace.json"), "--eps", "0.05"], capture_output=True, text=True).stdout
+    return next((line.split("/")[-1].strip() for line in text.splitlines() if line.split()[:1] == ["trav_x_line_after"]), "?")
+
+
+def avoidance(program, shared, folder, root):
+    rows = []
+    for drawing in sorted((shared / "drawings").glob("*.svg")) + sorted((root / "drawings").glob("*.svg")):
+        both = []
+        for avoid in ("off", "on"):
+            code, out, err, cpu, _ = run([program, "plan", drawing, "--avoid", avoid, "-o", folder / "plan.json", "-q", "--json"])
+            assert code == 0, err
+            plan, found = json.loads(out), json.loads(run([program, "check", folder / "plan.json", "--json"])[1])
+            both.append([f"{plan['up_driven'] + plan['loops_driven']:.1f}", str(found["crossings"]), judged_crossings(program, shared, folder),
+                         f"{found['over_finished']:.2f}", f"{found['driven_over']:.2f}", f"{cpu:.2f}"])
+        rows.append([drawing.stem] + [f"{off} / {on}" for off, on in zip(*both)])
+    table("Connect: what is finished, not avoided / avoided (beachbot, 14 x 14 m)",
+          ["drawing", "rake up and corner loops m", "crossings of drawn lines", "the same by the trace judge", "m over finished areas between strokes", "m^2 of areas rolled over in all", "CPU s"], rows)
+
+
+def report(program, shared, folder, n, root):
     tours(program, shared, folder)
+    avoidance(program, shared, folder, root)
     judge = shared / "judge/curves/checkcurves.cpp"
     if not judge.is_file():
         return print("\nConnect: the judge is not at hand; left out (tests/connect holds the laws).")

@@ -61,10 +61,13 @@ class Chooser {
         const Curve& curve = driven.joint.curve;
         driven.spoilt = spoilt(curve, finished_, pairs_, options_);
         const double always = worth(curve, options_) + turned + driven.spoilt.hard * hard_cost;
-        driven.cost = always + driven.spoilt.crossings * options_.avoid.crossing_cost +
-                      driven.spoilt.metres * options_.avoid.area_cost;
+        driven.cost = always + worth_of(driven.spoilt.all_metres(), driven.spoilt.all_crossings());
         tried.push_back(
             pairs_.passage(always, curve, {.area = options_.avoid.area_cost * options_.avoid.near_share}));
+    }
+
+    double worth_of(double metres, int crossings) const {
+        return crossings * options_.avoid.crossing_cost + metres * options_.avoid.area_cost;
     }
 
     /// The cheapest ones by what words spoil, those only that may gain.
@@ -96,6 +99,10 @@ class Chooser {
                     for (const Passage::Spoils& spoils : passage.spoils)
                         if (finished_.groups[static_cast<std::size_t>(spoils.group)] != 0)
                             guess.cost += spoils.cost;
+                    if (guess.cost < best_.cost) {
+                        const Rolled rolled = finished_.raked.rolled(word);
+                        guess.cost += worth_of(rolled.metres, rolled.crossings);
+                    }
                     if (guess.cost < best_.cost) found.push_back(std::move(guess));
                 }
             }
@@ -134,6 +141,7 @@ Spoilt spoilt(const Curve& curve, const Finished& finished, const Pairs& pairs, 
     if (!options.avoid.on) return found;
     for (const Touch& touch : pairs.touched(curve).groups)
         if (finished.groups[static_cast<std::size_t>(touch.group)] != 0) found.crossings += touch.crossings;
+    found.rolled = finished.raked.rolled(curve);
     if (finished.any_area && !finished.areas.clear(curve)) found.metres = finished.areas.blemish(curve);
     return found;
 }
@@ -145,15 +153,17 @@ Driven connected(const CurvatureState& from, const CurvatureState& to, connect::
 }
 
 const Driven& Made::connected(std::uint64_t which, const CurvatureState& from, const CurvatureState& to,
-                              const Finished& finished, const Pairs& pairs, const Options& options) {
+                              const Finished& finished, const Pairs& pairs, const Options& options,
+                              const std::optional<connect::Connection>& direct) {
     const auto [at, fresh] = made_.try_emplace(which);
     One& one = at->second;
     if (fresh || !same(one.from, from) || !same(one.to, to)) {
-        one = {from, to, connect::connection(from, to, options.connect), {}, {}, {}};
-    } else if (one.finished == finished.groups) {
+        one = {from, to, direct ? *direct : connect::connection(from, to, options.connect), {}, 0, {}, {}};
+    } else if (one.finished == finished.groups && one.raked == finished.raked.state()) {
         return one.driven;
     }
     one.finished = finished.groups;
+    one.raked = finished.raked.state();
     one.tried.clear();
     one.driven = order::connected(from, to, one.direct, finished, pairs, options, one.tried);
     return one.driven;

@@ -10,13 +10,18 @@
 namespace strandline::order {
 namespace {
 
+/// Of names: this one is a corner's loop.
+constexpr std::uint64_t loop_bit = std::uint64_t{1} << 63;
+
 void append_pivot(std::vector<Leg>& legs, Pose at, double turn) {
     if (turn == 0) return;
     legs.push_back({Motion::pivot, -1, {{0, at, 0}, {0, {at.at, at.heading + turn}, 0}}, {}});
 }
 
 /// Where a drive along a curve first does what it should not.
-Point begin_of(const Finished& finished, const Curve& curve) {
+Point begin_of(const Finished& finished, const Driven& driven) {
+    if (driven.spoilt.rolled.first) return *driven.spoilt.rolled.first;
+    const Curve& curve = driven.joint.curve;
     return point_at(curve, finished.areas.clear_length(curve)).pose.at;
 }
 
@@ -39,7 +44,7 @@ class Drafter {
           search_(search),
           finished_{route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
                     route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
-                    std::vector<char>(job.groups.size(), 0)} {}
+                    std::vector<char>(job.groups.size(), 0), false, Raked(job, robot, options.avoid)} {}
 
     Draft make(const Progress& progress) {
         answer_.unshaped.assign(job_.shapes.size(), "the two are not driven one after the other");
@@ -54,7 +59,7 @@ class Drafter {
             for (const Link& link : chains[k]) chain.push_back(link.planned);
             drive::Drive driven = drive_chain(chain, answer_.strokes, robot_, options_.drive);
             if (from) connect(*from, last, driven.start, &chains[k].front());
-            take(driven);
+            take(driven, chains[k].front());
             from = driven.end;
             last = &chains[k].back();
             for (const Link& link : chains[k])
@@ -120,6 +125,12 @@ class Drafter {
         return chains;
     }
 
+    /// Of a stroke as it is gone, and one of its loops.
+    std::uint64_t name_of(const Link& link, int loop) const {
+        return static_cast<std::uint64_t>(search_->row[link.place]) << 42 |
+               static_cast<std::uint64_t>(link.number) << 21 | static_cast<std::uint64_t>(loop);
+    }
+
     /// `number`: which of several that lead between the same two.
     Driven chosen(const CurvatureState& from, const Link* last, const CurvatureState& to, const Link* next,
                   int number) {
@@ -160,9 +171,7 @@ class Drafter {
         if (last && next) shape(driven, goings_[last->place].step.element, goings_[next->place].step.element);
         const connect::Connection& joint = driven.joint;
         if (!last || !next || last->place != next->place) cost_ += driven.cost;
-        if (driven.spoilt.metres > 0 || driven.spoilt.crossings > 0)
-            answer_.blemishes.push_back({before, after, begin_of(finished_, joint.curve),
-                                         driven.spoilt.metres, driven.spoilt.crossings});
+        note(driven, before, after);
         if (!joint.broken.empty()) {
             ++answer_.fallbacks;
             answer_.warnings.push_back(
@@ -181,6 +190,13 @@ class Drafter {
             {before, after, joint.turn_before, joint.turn_after, joint.curve, std::move(driven.through)});
     }
 
+    void note(const Driven& driven, int before, int after) {
+        const double metres = driven.spoilt.all_metres();
+        const int crossings = driven.spoilt.all_crossings();
+        if (metres > 0 || crossings > 0)
+            answer_.blemishes.push_back({before, after, begin_of(finished_, driven), metres, crossings});
+    }
+
     /// A person's wish goes before what is shorter or spoils less; what it spoils is told.
     void shape(Driven& driven, int a, int b) {
         auto led = shaped(driven.joint, a, b, job_, options_.connect, answer_.unshaped);
@@ -191,11 +207,16 @@ class Drafter {
         driven.spoilt = search_ ? spoilt(driven.joint.curve, finished_, search_->pairs, options_) : Spoilt{};
     }
 
-    void take(drive::Drive& driven) {
+    void take(drive::Drive& driven, const Link& first) {
+        int number = 0;
         for (Leg& leg : driven.legs) {
+            if (leg.motion == Motion::draw) rake(leg, first);
             // Those of fills are the same whichever way they are taken, but for variants, which say so.
-            if (leg.motion == Motion::loop && !answer_.strokes[static_cast<std::size_t>(leg.stroke)].fill)
-                cost_ += worth(leg.curve, options_);
+            if (leg.motion == Motion::loop) {
+                if (answer_.strokes[static_cast<std::size_t>(leg.stroke)].fill)
+                    cost_ -= worth(leg.curve, options_);
+                cost_ += led_round(leg, first, number++);
+            }
             answer_.legs.push_back(std::move(leg));
         }
         for (const drive::Span& span : driven.undrivable) answer_.undrivable.push_back(span);
@@ -205,9 +226,33 @@ class Drafter {
         answer_.pivots += driven.pivots;
     }
 
+    void rake(const Leg& leg, const Link& first) {
+        const Stroke& stroke = answer_.strokes[static_cast<std::size_t>(leg.stroke)];
+        if (search_) finished_.raked.draw(leg, stroke, name_of(first, 0));
+    }
+
+    /// A corner's loop, round what is finished and what is hard; its cost.
+    double led_round(Leg& leg, const Link& first, int number) {
+        if (!search_) return worth(leg.curve, options_);
+        const auto state = [](const CurvePoint& point) {
+            return CurvatureState{point.pose, point.curvature};
+        };
+        const std::uint64_t which = loop_bit | name_of(first, number);
+        const Driven& driven = search_->made.connected(
+            which, state(point_at(leg.curve, 0)), state(point_at(leg.curve, length(leg.curve))), finished_,
+            search_->pairs, options_, connect::Connection{.curve = leg.curve});
+        note(driven, leg.stroke, leg.stroke);
+        leg.curve = driven.joint.curve;
+        leg.path = states_along(leg.curve, options_.drive.step);
+        return driven.cost;
+    }
+
     void finish(int group) {
         finished_.groups[static_cast<std::size_t>(group)] = 1;
-        const Regions& area = job_.groups[static_cast<std::size_t>(group)].area;
+        const Group& done = job_.groups[static_cast<std::size_t>(group)];
+        const Regions& area = done.area;
+        // the last part of an area has it; lines have none
+        if (!area.empty() || !done.work.strokes.front().fill) finished_.raked.finish(done.work.element);
         if (!search_ || !options_.avoid.on || area.empty()) return;
         finished_.ground.add(area);
         finished_.areas.add(area);
