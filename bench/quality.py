@@ -286,7 +286,7 @@ def convert(program, shared, folder):
         rows.append([radius, code, f"{100 * worst:.4f}"])
     table("Convert: arcs sampled every 5 cm, poses interpolated", ["radius m", "exit", "largest rake error cm"], rows)
     rows, cpu = converter.rows(program, folder)
-    table("Convert: 5 random paths of 8 m, curvature linear between random values every 0.5 m", ["bends", "largest rake error, points every 1 cm, cm", "every 5 cm, cm"], rows)
+    table("Convert: 5 random paths of 8 m, curvature linear between random values every 0.5 m", ["bends", "largest rake error, arcs from row to row, every 1 cm, cm", "every 5 cm", "steered by the rows' curvatures, every 1 cm, cm", "every 5 cm"], rows)
     print(f"\n100,000 points: {cpu:.2f} s of processor time with reading and writing.")
 
 

@@ -55,34 +55,33 @@ Carried carried_back(double delta, const Robot& robot, double h, double k_here, 
     return {delta, length};
 }
 
-/// A step cut into equal parts, from its end to its start; the step's own end is not among them.
-struct Stretch {
-    std::vector<Carried> parts;
-    double heading_error = 0;  ///< of a robot that takes its curvature as linear between the parts (rad)
-};
-Stretch stretch_back(double delta, const Robot& robot, const RakeNode& here, double count) {
-    Stretch stretch;
+/// A step cut into equal parts, from its end to its start; the step's own end is not among them. Returns the
+/// heading error of a robot that takes its curvature as linear between the parts (rad).
+double stretch_back(double delta, const Robot& robot, const RakeNode& here, double count,
+                    std::vector<Carried>& parts) {
+    parts.clear();
+    double heading_error = 0, bend = robot_curvature(robot, delta);
     const double h = here.step / count, slope = (here.next_curvature - here.curvature) / here.step;
     for (double i = count; i-- > 0;) {
         const double k0 = here.curvature + slope * i * h, k1 = k0 + slope * h;
         const Carried back = carried_back(delta, robot, h, k0, k1);
         const double turned = h * (k0 + k1) / 2 + delta - back.delta;
-        const double linear =
-            back.robot_step * (robot_curvature(robot, delta) + robot_curvature(robot, back.delta)) / 2;
-        stretch.heading_error += std::abs(turned - linear);
-        stretch.parts.push_back(back);
+        const double bend_before = robot_curvature(robot, back.delta);
+        heading_error += std::abs(turned - back.robot_step * (bend + bend_before) / 2);
+        parts.push_back(back);
         delta = back.delta;
+        bend = bend_before;
     }
-    return stretch;
+    return heading_error;
 }
 
 /// The step in as few parts as keep the heading error small: it falls with the square of their number.
-Stretch fine_stretch_back(double delta, const Robot& robot, const RakeNode& here) {
-    Stretch stretch = stretch_back(delta, robot, here, 1);
+void fine_stretch_back(double delta, const Robot& robot, const RakeNode& here, std::vector<Carried>& parts) {
+    const double heading_error = stretch_back(delta, robot, here, 1, parts);
     const double allowed = heading_drift * here.step;
-    if (here.step > robot.rake_offset || stretch.heading_error <= allowed) return stretch;
-    return stretch_back(delta, robot, here,
-                        std::min(most_parts, std::ceil(std::sqrt(stretch.heading_error / allowed))));
+    if (here.step > robot.rake_offset || heading_error <= allowed) return;
+    const double count = std::min(most_parts, std::ceil(std::sqrt(heading_error / allowed)));
+    stretch_back(delta, robot, here, count, parts);
 }
 
 bool same_state(const RobotState& a, const RobotState& b) {
@@ -101,6 +100,7 @@ struct Pass {
     double turns = 0;  ///< whole turns by which the robot's heading has left the rake path's (after straying)
     double to_end = 0;  ///< the robot's length from here to the end
     Followed result = {};
+    std::vector<Carried> parts = {};  ///< of the step that is gone back over
 
     void arrive(double s, Pose rake) {
         result.path.push_back(
@@ -118,10 +118,10 @@ struct Pass {
         return std::nullopt;
     }
     std::optional<double> back_over(const RakeNode& here) {
-        const Stretch stretch = fine_stretch_back(delta, robot, here);
-        double left = static_cast<double>(stretch.parts.size());
+        fine_stretch_back(delta, robot, here, parts);
+        double left = static_cast<double>(parts.size());
         const double h = here.step / left;
-        for (const Carried& part : stretch.parts) {
+        for (const Carried& part : parts) {
             if (!drivable.hold(part.delta)) return here.s + left * h;
             delta = part.delta;
             to_end += part.robot_step;
@@ -213,6 +213,8 @@ Followed robot_path_for(const std::vector<Curve>& rake_path, const Robot& robot,
     const DeltaRange drivable = drivable_deltas(robot, options.max_delta);
     Pass pass{nodes, robot, options, drivable, std::clamp(end, drivable.low, drivable.high)};
     if (!drivable.hold(end)) pass.result.undrivable.push_back({nodes.back().s, nodes.back().s});
+    pass.result.path.reserve(nodes.size());
+    pass.result.rake_s.reserve(nodes.size());
     pass.arrive(nodes.back().s, nodes.back().rake);
     for (std::size_t i = nodes.size() - 1; i > 0;) {
         --i;
