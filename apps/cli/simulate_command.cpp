@@ -87,8 +87,9 @@ Outcome<Subject> read_subject(const SimulateArguments& a, const Wishes& wishes, 
     return subject;
 }
 
-Outcome<tracking::Options> controller(const SimulateArguments& a) {
+Outcome<tracking::Options> controller(const SimulateArguments& a, const Robot& robot) {
     tracking::Options options;
+    options.localisation.noise = robot.fix_noise;
     options.seed = a.seed;
     options.lead_pins = !a.late_pins;
     tracking::Localisation& l = options.localisation;
@@ -211,7 +212,7 @@ int simulate(const SimulateArguments& arguments, const Common& common) {
     if (arguments.noise || !arguments.log.empty()) {
         if (!subject->plan)
             return complain({"--noise", "needs a plan to follow", "give a plan file"}, bad_call);
-        const auto options = controller(arguments);
+        const auto options = controller(arguments, drive.robot);
         if (!options) return complain(options.error(), bad_call);
         driven = tracking::driven(drive.robot, drive.samples, *options, progress);
         found.driven = &driven;

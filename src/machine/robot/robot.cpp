@@ -110,6 +110,33 @@ Robot diff_drive() {
                  .fill_wide_strokes = false};
 }
 
+Robot sand_table() {
+    // A ball that a magnet under the table draws through the sand: it is always down, turns on the spot, and
+    // its groove is about as wide as the ball. Speeds as users of such tables report them; the rest is
+    // assumed.
+    return Robot{.name = "sandtable",
+                 .rake_offset = 0,
+                 .pins = 1,
+                 .pin_pitch = 0.008,
+                 .min_radius = 0,
+                 .sharpness = 1e6,
+                 .can_pivot = true,
+                 .speed = 0.04,
+                 .travel_speed = 0.04,
+                 .acceleration = 0.5,
+                 .turn_rate = 1000,
+                 .turn_acceleration = 1e6,
+                 .lift_delay = 0,
+                 .lifts = false,
+                 .fix_noise = 0,
+                 .front = 0.008,
+                 .back = 0.008,
+                 .half_width = 0.008,
+                 .wheels = {},
+                 .rake_rules = {{0, 0}, {1, 1}},
+                 .fill_wide_strokes = false};
+}
+
 }  // namespace
 
 unsigned pin_mask(const Robot& robot, int count) {
@@ -143,15 +170,18 @@ double wheel_reach(const Robot& robot) {
     return reach;
 }
 
-std::vector<std::string> builtin_robots() { return {"beachbot", "plotter", "turf", "diffdrive"}; }
+std::vector<std::string> builtin_robots() {
+    return {"beachbot", "plotter", "turf", "diffdrive", "sandtable"};
+}
 
 Outcome<Robot> builtin_robot(std::string_view name) {
     if (name == "beachbot") return beachbot();
     if (name == "plotter") return plotter();
     if (name == "turf") return turf();
     if (name == "diffdrive") return diff_drive();
+    if (name == "sandtable") return sand_table();
     return fail("robot", "there is no built-in \"" + std::string(name) + '"',
-                "use beachbot, plotter, turf or diffdrive, or name a .toml file");
+                "use beachbot, plotter, turf, diffdrive or sandtable, or name a .toml file");
 }
 
 }  // namespace strandline

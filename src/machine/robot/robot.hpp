@@ -42,6 +42,9 @@ struct Robot {
     double turn_rate = 0.4;                    ///< rad/s
     double turn_acceleration = 0.4;            ///< rad/s^2
     double lift_delay = 0.0;                   ///< s from command to pins up or down
+    bool lifts = true;        ///< false: the tool is always down, and marks what lies between strokes
+    double setback = 0;       ///< metres that the footprint keeps from a field's border that was asked for
+    double fix_noise = 0.01;  ///< metres, along x and along y: what each fix of its place errs
     double front = 0.5, back = 0.35, half_width = 0.35;  ///< footprint around P
     std::vector<Wheel> wheels = {};
     /// ascending up_to; beachbot: 0->0, 1->1, 3->3, 5->5, 8->7 pins (2014)
@@ -76,7 +79,7 @@ double footprint_reach(const Robot& robot);
 bool stays_within(const Robot& robot, Point at, double heading, const Region& area);
 bool keeps_off(const Robot& robot, Point at, double heading, const Region& area);
 
-std::vector<std::string> builtin_robots();            ///< "beachbot", "plotter", "turf"
+std::vector<std::string> builtin_robots();            ///< "beachbot", "plotter", ...
 Outcome<Robot> builtin_robot(std::string_view name);  ///< unknown: the Error lists the names
 /// TOML text; `base = "plotter"` starts from that built-in, without it from beachbot. `place` names the text
 /// in errors ("my.toml"). A wrong field is refused by name with its unit and range; unknown fields too.

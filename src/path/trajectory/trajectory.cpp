@@ -141,6 +141,7 @@ class Timer {
     std::vector<Sample> finished() {
         stand();
         if (stood_) samples_.push_back(sample_at(*stood_, Motion::connect, -1, 0));
+        if (stood_) samples_.back().mask = 0;  // the drive is over
         return std::move(samples_);
     }
 
@@ -157,6 +158,8 @@ class Timer {
         if (motion == Motion::draw) {
             sample.stroke = stroke;
             sample.mask = pin_mask(robot_, strokes_[static_cast<std::size_t>(stroke)].pins);
+        } else if (!robot_.lifts) {
+            sample.mask = pin_mask(robot_, robot_.pins);
         }
         return sample;
     }
@@ -206,7 +209,7 @@ class Timer {
 
 /// A drive that begins with a stroke waits until its pins are down; all others are told while it drives.
 std::vector<Sample> waiting(std::vector<Sample> samples, const Robot& robot) {
-    if (robot.lift_delay <= 0 || samples.empty() || samples.front().mask == 0) return samples;
+    if (robot.lift_delay <= 0 || !robot.lifts || samples.empty() || samples.front().mask == 0) return samples;
     Sample stands = samples.front();
     for (Sample& sample : samples) sample.t += robot.lift_delay;
     stands.mask = 0;

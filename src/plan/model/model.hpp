@@ -289,8 +289,8 @@ struct DriveArea {
     Region border;
     std::vector<Region> keep_out;  ///< may overlap
 };
-/// border: of field.border, else the drawing's, else the canvas grown by the run-out. keep_out: those of
-/// field.keep_out and the drawing's. Texts that cannot be read hold nothing.
+/// border: of field.border, else the drawing's, both less the robot's setback, else the canvas grown by the
+/// run-out. keep_out: those of field.keep_out and the drawing's. Texts that cannot be read hold nothing.
 DriveArea drive_area_of(const Drawing& drawing, const Options& options, const Robot& robot);
 DriveArea drive_area_of(const Plan& plan);
 /// The border's box.

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "base/units/units.hpp"
+#include "math/region/region.hpp"
 #include "plan/model/model.hpp"
 
 namespace strandline {
@@ -877,6 +878,13 @@ DriveArea drive_area_of(const Drawing& drawing, const Options& options, const Ro
     if (drawing.border) area.border = *drawing.border;
     const auto asked = outlines_of(options.field.border, "field.border");
     if (asked && !asked->empty()) area.border = {counter_clockwise(asked->front()), {}};
+    if (robot.setback > 0 && (drawing.border || (asked && !asked->empty()))) {
+        // of several parts the largest; where none is left, nothing is allowed
+        const Regions parts = inset({area.border}, robot.setback);
+        const auto largest =
+            std::ranges::max_element(parts, {}, [](const Region& part) { return strandline::area({part}); });
+        area.border = largest == parts.end() ? Region{} : *largest;
+    }
     area.keep_out = drawing.keep_out;
     if (const auto more = outlines_of(options.field.keep_out, "field.keep_out"))
         for (const Polygon& outline : *more) area.keep_out.push_back({counter_clockwise(outline), {}});

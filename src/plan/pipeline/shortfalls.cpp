@@ -74,9 +74,18 @@ void say_lifts(Plan& plan) {
                      lifts, plan.robot.name, first.x, first.y)});
 }
 
+void say_marks(Plan& plan) {
+    if (plan.robot.lifts || plan.strokes.size() < 2) return;
+    plan.warnings.push_back(
+        {"robot.lifts", fmt::format("the tool of {} cannot be lifted: what is driven between strokes, "
+                                    "{:.2f} m, is marked too",
+                                    plan.robot.name, plan.figures.up_driven)});
+}
+
 }  // namespace
 
 void say_shortfalls(Plan& plan) {
+    say_marks(plan);
     say_undrivable(plan);
     say_blemishes(plan);
     say_lifts(plan);

@@ -28,7 +28,7 @@ bool finite(const Curve& curve) {
 bool finite(const Robot& r) {
     return all_finite({r.rake_offset, r.rake_side, r.pin_pitch, r.min_radius, r.left_radius, r.right_radius,
                        r.sharpness, r.speed, r.travel_speed, r.acceleration, r.turn_rate, r.turn_acceleration,
-                       r.lift_delay, r.front, r.back, r.half_width}) &&
+                       r.lift_delay, r.setback, r.fix_noise, r.front, r.back, r.half_width}) &&
            std::ranges::all_of(r.wheels,
                                [](const Wheel& w) { return is_finite(w.at) && std::isfinite(w.width); });
 }

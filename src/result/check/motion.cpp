@@ -133,10 +133,12 @@ class Judge {
         }
         if (last) return;
         if (s.motion != Motion::draw) {
-            if (s.mask != 0)
+            const unsigned between = robot_.lifts ? 0 : pin_mask(robot_, robot_.pins);
+            if (s.mask != between)
                 fault(Law::pins, 1, s,
-                      fmt::format("pins {} are down while the robot drives rake up ({}), allowed none",
-                                  bits(s.mask), name_of(s.motion)));
+                      fmt::format("pins {} are down while the robot drives between strokes ({}), allowed {}",
+                                  bits(s.mask), name_of(s.motion),
+                                  robot_.lifts ? "none" : "all: they cannot be lifted"));
             return;
         }
         if (s.stroke < 0 || s.stroke >= static_cast<int>(plan_.strokes.size()))

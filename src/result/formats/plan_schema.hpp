@@ -39,6 +39,9 @@ void fields(Either<Robot> auto& robot, Visit&& field) {
     field("turn_rate", robot.turn_rate);
     field("turn_acceleration", robot.turn_acceleration);
     field("lift_delay", robot.lift_delay);
+    field("lifts", robot.lifts);
+    field("setback", robot.setback);
+    field("fix_noise", robot.fix_noise);
     field("front", robot.front);
     field("back", robot.back);
     field("half_width", robot.half_width);

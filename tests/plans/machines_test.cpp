@@ -1,0 +1,64 @@
+// What a machine's profile asks for holds in the plan and is proved: tools that cannot be lifted, setbacks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "plan/pipeline/pipeline.hpp"
+#include "result/check/check.hpp"
+
+namespace strandline {
+namespace {
+
+constexpr const char* three_lines =
+    R"(<svg xmlns="http://www.w3.org/2000/svg" width="14000mm" height="14000mm" viewBox="0 0 14 14">
+  <path d="M2 4 V10" stroke="black" stroke-width="0.3" fill="none"/>
+  <path d="M7 2 H9" stroke="black" stroke-width="0.3" fill="none"/>
+  <path d="M12 4 V10" stroke="black" stroke-width="0.3" fill="none"/></svg>)";
+
+Plan planned(const Robot& robot, const std::vector<std::pair<std::string, std::string>>& wishes = {}) {
+    Options options;
+    EXPECT_TRUE(set(options, "place.mode", "actual"));
+    for (const auto& [key, value] : wishes) EXPECT_TRUE(set(options, key, value)) << key;
+    const auto plan = make_plan({three_lines, "lines.svg"}, robot, options, {});
+    EXPECT_TRUE(plan) << (plan ? "" : sentence(plan.error()));
+    return *plan;
+}
+
+TEST(Machines, AToolThatCannotBeLiftedIsDownAllTheWayAndTheMarksAreTold) {
+    Plan plan = planned(*builtin_robot("sandtable"));
+    EXPECT_TRUE(check::prove(plan).sound());
+    ASSERT_GT(plan.samples.size(), 10u);
+    for (std::size_t i = 0; i + 1 < plan.samples.size(); ++i) EXPECT_EQ(plan.samples[i].mask, 1u);
+    EXPECT_EQ(plan.samples.back().mask, 0u);
+    EXPECT_TRUE(
+        std::ranges::any_of(plan.warnings, [](const Warning& w) { return w.place == "robot.lifts"; }));
+    plan.robot.lifts = true;
+    EXPECT_FALSE(check::prove(plan).sound()) << "for another robot these would be marks between strokes";
+    Plan lifted = planned(*builtin_robot("plotter"));
+    EXPECT_TRUE(check::prove(lifted).sound());
+    lifted.robot.lifts = false;
+    EXPECT_FALSE(check::prove(lifted).sound());
+}
+
+TEST(Machines, TheSetbackIsKeptFromABorderThatWasAskedFor) {
+    Robot robot = *builtin_robot("beachbot");
+    const std::vector<std::pair<std::string, std::string>> border{{"field.border", "0,0 14,0 14,14 0,14"}};
+    EXPECT_NEAR(area(drive_area_of(planned(robot, border)).border), 14 * 14, 1e-6);
+    const double free = area(drive_area_of(planned(robot)).border);
+    robot.setback = 0.75;
+    const Plan plan = planned(robot, border);
+    EXPECT_NEAR(area(drive_area_of(plan).border), 12.5 * 12.5, 1e-6);
+    EXPECT_NEAR(area(drive_area_of(planned(robot)).border), free, 1e-6) << "none was asked for";
+    EXPECT_TRUE(check::prove(plan).sound());
+    for (const Sample& s : plan.samples) {
+        EXPECT_GT(std::min(s.pose.at.x, s.pose.at.y), 0.75 + robot.half_width - 0.01);
+        EXPECT_LT(std::max(s.pose.at.x, s.pose.at.y), 13.25 - robot.half_width + 0.01);
+    }
+    robot.setback = 3;  // the outer lines lie nearer than that
+    EXPECT_FALSE(check::prove(planned(robot, border)).sound());
+    robot.setback = 8;  // nothing is left of the field
+    EXPECT_FALSE(check::prove(planned(robot, border)).sound());
+}
+
+}  // namespace
+}  // namespace strandline
