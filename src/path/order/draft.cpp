@@ -47,7 +47,9 @@ class Drafter {
                     std::vector<char>(job.groups.size(), 0), false, Raked(job, robot, options.avoid)} {}
 
     Draft make(const Progress& progress) {
-        answer_.unshaped.assign(job_.shapes.size(), "the two are not driven one after the other");
+        for (const Shape& wished : job_.shapes)
+            answer_.unshaped.emplace_back(wished.hop ? "nothing is driven from there to there"
+                                                     : "the two are not driven one after the other");
         if (search_) search_->pairs.hard().add_to(finished_.ground);
         const std::vector<std::vector<Link>> chains = chained(links());
         std::optional<CurvatureState> from;
@@ -168,7 +170,10 @@ class Drafter {
     void append(Driven driven, const CurvatureState& from, const Link* last, const CurvatureState& to,
                 const Link* next) {
         const int before = last ? last->planned.stroke : -1, after = next ? next->planned.stroke : -1;
-        if (last && next) shape(driven, goings_[last->place].step.element, goings_[next->place].step.element);
+        if (last && next)
+            shape(driven, {goings_[last->place].step.element, goings_[next->place].step.element,
+                           end_pose(last->planned.rake_path.back()).at,
+                           next->planned.rake_path.front().start.at});
         const connect::Connection& joint = driven.joint;
         if (!last || !next || last->place != next->place) cost_ += driven.cost;
         note(driven, before, after);
@@ -198,8 +203,8 @@ class Drafter {
     }
 
     /// A person's wish goes before what is shorter or spoils less; what it spoils is told.
-    void shape(Driven& driven, int a, int b) {
-        auto led = shaped(driven.joint, a, b, job_, options_.connect, answer_.unshaped);
+    void shape(Driven& driven, const Between& ends) {
+        auto led = shaped(driven.joint, ends, job_, options_.connect, answer_.unshaped);
         if (!led) return;
         driven.cost += worth(led->curve, options_) - worth(driven.joint.curve, options_);
         driven.joint = std::move(*led);

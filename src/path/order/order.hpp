@@ -43,10 +43,12 @@ struct Tie {
     int a = 0, node_a = 0, b = 0, node_b = 0;
 };
 /// What is driven from group a to group b is led through these poses of the robot; from b to a through the
-/// same backwards.
+/// same backwards. A hop: of what is driven within group a (b is it too), the drive between these places of
+/// the rake.
 struct Shape {
     int a = 0, b = 0;
     std::vector<Pose> through;
+    std::optional<std::pair<Point, Point>> hop = {};
 };
 struct Job {
     std::vector<Group> groups;

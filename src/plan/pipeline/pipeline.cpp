@@ -237,8 +237,10 @@ Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::st
     for (std::size_t i = 0; i < job.shapes.size(); ++i)
         if (const order::Shape& shape = job.shapes[i]; !ordered->unshaped[i].empty())
             plan.idle_edits.push_back(
-                "through: from \"" + job.groups[static_cast<std::size_t>(shape.a)].name + "\" to \"" +
-                job.groups[static_cast<std::size_t>(shape.b)].name + "\": " + ordered->unshaped[i]);
+                (shape.hop ? "through: within \"" : "through: from \"") +
+                job.groups[static_cast<std::size_t>(shape.a)].name +
+                (shape.hop ? "" : "\" to \"" + job.groups[static_cast<std::size_t>(shape.b)].name) +
+                "\": " + ordered->unshaped[i]);
 
     plan.samples =
         trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});

@@ -135,8 +135,8 @@ export interface Span {
 const whole = (run: Run, span: Span) => run.first >= span.from && run.last <= span.to
 const meets = (run: Run, span: Span) => run.first < span.to && run.last > span.from
 
-function part(tracks: Tracks, run: Run, span: Span, offset: number): Track {
-  return barTrack(tracks.samples, Math.max(run.first, span.from), Math.min(run.last, span.to), offset, 0)
+function part(tracks: Tracks, run: Run, span: Span, offset: number, detail: number): Track {
+  return barTrack(tracks.samples, Math.max(run.first, span.from), Math.min(run.last, span.to), offset, detail)
 }
 
 /** Rake down as lines `pixels` wide. */
@@ -148,7 +148,7 @@ export function paintOutline(ctx: Ctx, tracks: Tracks, box: Box, scale: number, 
   const last = Math.max(1, tracks.drive.strokes.length - 1)
   tracks.runs.forEach((run, i) => {
     if (run.mask === 0 || !meets(run, span)) return
-    const track = whole(run, span) ? tracks.middle(i, detail) : part(tracks, run, span, 0)
+    const track = whole(run, span) ? tracks.middle(i, detail) : part(tracks, run, span, 0, detail)
     if (!overlaps(track.box, box)) return
     ctx.strokeStyle = colours ? orderColour(run.stroke / last) : palette.ink
     ctx.stroke(track.path)
@@ -169,7 +169,7 @@ export function paintGrooves(ctx: Ctx, tracks: Tracks, box: Box, camera: Camera,
     if (run.mask === 0 || !meets(run, span)) return
     const middle = tracks.middle(i, detail)
     if (!overlaps(middle.box, grown(reach, tracks.pins * pitch))) return
-    const pins = whole(run, span) ? tracks.pinTracks(i, detail) : pinsOf(tracks, run, span)
+    const pins = whole(run, span) ? tracks.pinTracks(i, detail) : pinsOf(tracks, run, span, detail)
     const stroke = (width: number, style: string, shift: number) => {
       ctx.lineWidth = Math.max(width, 0.6 / scale)
       ctx.strokeStyle = style
@@ -188,8 +188,8 @@ export function paintGrooves(ctx: Ctx, tracks: Tracks, box: Box, camera: Camera,
     }
   })
 }
-function pinsOf(tracks: Tracks, run: Run, span: Span): Track[] {
-  return pinOffsets(run.mask, tracks.pins, tracks.pitch).map((offset) => part(tracks, run, span, offset))
+function pinsOf(tracks: Tracks, run: Run, span: Span, detail: number): Track[] {
+  return pinOffsets(run.mask, tracks.pins, tracks.pitch).map((offset) => part(tracks, run, span, offset, detail))
 }
 
 function arrowHead(path: Path2D, at: Point, way: number, size: number): void {
@@ -224,7 +224,7 @@ export function paintConnections(ctx: Ctx, tracks: Tracks, box: Box, scale: numb
       arrowHead(heads, { x: ax + 0.6 * (bx - ax), y: ay + 0.6 * (by - ay) }, Math.atan2(by - ay, bx - ax), size)
       return
     }
-    const track = whole(run, span) ? tracks.middle(i, detail) : part(tracks, run, span, 0)
+    const track = whole(run, span) ? tracks.middle(i, detail) : part(tracks, run, span, 0, detail)
     if (!overlaps(track.box, box)) return
     ctx.setLineDash([5 / scale, 4 / scale])
     ctx.stroke(track.path)
