@@ -279,7 +279,7 @@ test('field changes the border that holds, and puts it back', async () => {
   await page.evaluate(() => {
     const { stage, session } = window.strandline
     const { border } = session.now.drawing
-    stage.camera = { scale: 30, x: 40 - 30 * border[0], y: 700 + 30 * border[1] }
+    stage.camera = { scale: 30, x: 300 - 30 * border[0], y: 400 + 30 * border[1] }
     stage.redraw()
   })
   await edited(page, () => drag(page, [[before[0], before[1]], [before[0] + 0.5, before[1] + 0.2], [before[0] + 1, before[1] + 0.5]]))

@@ -36,12 +36,13 @@ struct Link {
 class Drafter {
   public:
     Drafter(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
-            const Search* search)
+            const Search* search, Memory::Kept& kept)
         : job_(job),
           goings_(goings),
           robot_(robot),
           options_(options),
           search_(search),
+          kept_(kept),
           finished_{route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
                     route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
                     std::vector<char>(job.groups.size(), 0), false, Raked(job, robot, options.avoid)} {}
@@ -59,7 +60,7 @@ class Drafter {
             progress.report("driving", static_cast<double>(k) / static_cast<double>(chains.size()));
             std::vector<Planned> chain;
             for (const Link& link : chains[k]) chain.push_back(link.planned);
-            drive::Drive driven = drive_chain(chain, answer_.strokes, robot_, options_.drive);
+            drive::Drive driven = kept_.drives.driven(chain, answer_.strokes, robot_, options_.drive);
             if (from) connect(*from, last, driven.start, &chains[k].front());
             take(driven, chains[k].front());
             from = driven.end;
@@ -76,7 +77,7 @@ class Drafter {
                 cost_ += job_.groups[static_cast<std::size_t>(going.step.element)]
                              .variants[static_cast<std::size_t>(going.variant)]
                              .longer;
-        return {std::move(answer_), false, cost_};
+        return {std::move(answer_), false, cost_, goings_};
     }
 
   private:
@@ -137,6 +138,8 @@ class Drafter {
     Driven chosen(const CurvatureState& from, const Link* last, const CurvatureState& to, const Link* next,
                   int number) {
         if (!search_) return {connect::connection(from, to, options_.connect)};
+        if (search_->mends)
+            if (const Driven* before = kept_.joints.find(from, to)) return *before;
         const auto name = [&](const Link* link) {
             return static_cast<std::uint64_t>(link ? search_->row[link->place] + 1 : 0);
         };
@@ -145,6 +148,7 @@ class Drafter {
         if (last && next && last->place != next->place)
             search_->pairs.learn(search_->row[last->place], search_->row[next->place],
                                  search_->made.tried(which));
+        kept_.joints.keep(from, to, driven);
         return driven;
     }
 
@@ -171,9 +175,9 @@ class Drafter {
                 const Link* next) {
         const int before = last ? last->planned.stroke : -1, after = next ? next->planned.stroke : -1;
         if (last && next)
-            shape(driven, {goings_[last->place].step.element, goings_[next->place].step.element,
-                           end_pose(last->planned.rake_path.back()).at,
-                           next->planned.rake_path.front().start.at});
+            shape(driven,
+                  {goings_[last->place].step.element, goings_[next->place].step.element,
+                   end_pose(last->planned.rake_path.back()).at, next->planned.rake_path.front().start.at});
         const connect::Connection& joint = driven.joint;
         if (!last || !next || last->place != next->place) cost_ += driven.cost;
         note(driven, before, after);
@@ -269,6 +273,7 @@ class Drafter {
     const Robot& robot_;
     const Options& options_;
     const Search* search_;
+    Memory::Kept& kept_;
     Finished finished_;
     Ordered answer_;
     double cost_ = 0;
@@ -277,8 +282,8 @@ class Drafter {
 }  // namespace
 
 Draft drafted(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
-              const Search* search, const Progress& progress) {
-    return Drafter(job, goings, robot, options, search).make(progress);
+              const Search* search, Memory::Kept& kept, const Progress& progress) {
+    return Drafter(job, goings, robot, options, search, kept).make(progress);
 }
 
 }  // namespace strandline::order

@@ -26,8 +26,8 @@ Leads leads(const Shape& shape, const Between& ends, const Job& job) {
 
 }  // namespace
 
-std::optional<connect::Connection> shaped(const connect::Connection& plain, const Between& ends, const Job& job,
-                                          const connect::Options& options,
+std::optional<connect::Connection> shaped(const connect::Connection& plain, const Between& ends,
+                                          const Job& job, const connect::Options& options,
                                           std::vector<std::string>& unshaped) {
     std::optional<connect::Connection> found;
     for (std::size_t i = 0; i < job.shapes.size(); ++i) {

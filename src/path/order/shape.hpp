@@ -11,8 +11,8 @@ struct Between {
 };
 /// The connection as a shape of the job leads it, if one does. In `unshaped` stands for that shape why it
 /// cannot be, or "".
-std::optional<connect::Connection> shaped(const connect::Connection& plain, const Between& ends, const Job& job,
-                                          const connect::Options& options,
+std::optional<connect::Connection> shaped(const connect::Connection& plain, const Between& ends,
+                                          const Job& job, const connect::Options& options,
                                           std::vector<std::string>& unshaped);
 
 }  // namespace strandline::order

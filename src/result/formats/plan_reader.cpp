@@ -209,8 +209,9 @@ class PlanReader {
         no_others(at, {"edit", "from", "to", "poses", "hop"});
         if (through.poses.empty()) refuse(child(at, "poses"), "no pose to be led through");
         if (through.poses.size() > ThroughEdit::most_poses)
-            refuse(child(at, "poses"), fmt::format("{} poses to be led through; {} are the limit: leave some out",
-                                                   through.poses.size(), ThroughEdit::most_poses));
+            refuse(child(at, "poses"),
+                   fmt::format("{} poses to be led through; {} are the limit: leave some out",
+                               through.poses.size(), ThroughEdit::most_poses));
     }
     void get(const At& at, Pose& pose) {
         const auto n = exactly(at, 3);
