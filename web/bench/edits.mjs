@@ -19,6 +19,18 @@ function strewn(count) {
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${10 * across} ${10 * across}" fill="none" stroke="black">${shapes.join('\n')}</svg>`
 }
 
+/** Two metres for each, and a search of a minute at most. */
+function makeRoom(page, count) {
+  const side = `${Math.ceil(1.4 * Math.sqrt(count))}`
+  return page.evaluate(async (metres) => {
+    const { id, revision } = window.strandline.session.now.standing
+    const set = (key, value) => ({ set: key, value })
+    const body = JSON.stringify({ revision, what: 'room', changes: [set('canvas.width', metres), set('canvas.height', metres), set('tour.moves', '1000')] })
+    await fetch(`/api/v1/projects/${id}/edits`, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body })
+    while (window.strandline.session.now.standing.revision === revision) await new Promise((resolve) => setTimeout(resolve, 50))
+  }, side)
+}
+
 const browser = await startBrowser()
 const made = mkdtempSync(join(tmpdir(), 'strandline-bench-'))
 for (const wish of process.argv.slice(2)) {
@@ -27,7 +39,8 @@ for (const wish of process.argv.slice(2)) {
   const folder = tempFolder()
   const server = await startServer(folder.path, file)
   const page = await openEditor(browser, server.url)
-  await settled(page, 0, 600000)
+  if (file !== wish) await makeRoom(page, Number(wish))
+  await settled(page, 0, 900000)
   const times = await page.evaluate(async () => {
     const { session } = window.strandline
     const { id } = session.now.standing

@@ -116,6 +116,39 @@ test('shape leads a connection through points that are put in, moved, turned and
   assert.equal((await edits()).filter((e) => e.edit === 'through').length, 0)
 })
 
+test('shape leads a drive within an area through a point', async () => {
+  await page.keyboard.press('f')
+  await page.selectOption('.options select >> nth=0', 'zigzag')
+  await edited(page, () => click(page, 6, 6.5))
+  const hops = () =>
+    page.evaluate(() => {
+      const { drive, samples } = window.strandline.session.now
+      return drive.connections
+        .filter((c) => c.hop)
+        .map((c) => {
+          let [first, last] = [drive.strokes[c.from].last, drive.strokes[c.to].first]
+          while (samples.motion[first] !== 3 && first < last) first++
+          while (samples.motion[last - 1] !== 3 && first < last) last--
+          const way = []
+          for (let i = first; i <= last; i++) way.push([samples.x[i], samples.y[i]])
+          return { hop: c.hop, way }
+        })
+    })
+  const longest = (await hops()).reduce((a, b) => (a.way.length > b.way.length ? a : b))
+  const middle = longest.way[longest.way.length >> 1]
+  await page.keyboard.press('h')
+  await edited(page, () => drag(page, [middle, [middle[0] + 0.3, middle[1] + 0.3], [middle[0] + 0.6, middle[1] + 0.5]]))
+  const edit = (await edits()).find((e) => e.edit === 'through')
+  assert.deepEqual([edit.from, edit.to], ['sail', 'sail'])
+  assert.ok(edit.hop.every((v, i) => Math.abs(v - longest.hop[i]) < 1e-3))
+  const led = (await hops()).find((h) => h.hop.every((v, i) => Math.abs(v - longest.hop[i]) < 1e-3))
+  assert.ok(nearest(led.way, edit.poses[0]) < 0.05, 'it is driven through there')
+  assert.deepEqual(await page.evaluate(() => window.strandline.session.now.drive.idle), [])
+  if (pictures) await page.screenshot({ path: join(pictures, 'editor-hop.png') })
+  await edited(page, () => page.keyboard.press('Delete'))
+  assert.equal((await edits()).filter((e) => e.edit === 'through').length, 0)
+})
+
 test('points too near to each other for the robot are said to be', async () => {
   const longest = (await trips()).reduce((a, b) => (a.way.length > b.way.length ? a : b))
   const middle = longest.way[longest.way.length >> 1]
