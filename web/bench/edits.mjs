@@ -1,7 +1,7 @@
 // From an edit to the new plan on the screen: milliseconds, with the part until the server has answered (kept on disk).
 // STRANDLINE_PROGRAM=... node bench/edits.mjs DRAWING.svg... A number stands for a drawing of so many short lines and rings.
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
-import { tmpdir } from 'node:os'
+import { loadavg, tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { openEditor, settled, startBrowser, startServer, tempFolder } from '../tests/editor.mjs'
 
@@ -69,7 +69,7 @@ for (const wish of process.argv.slice(2)) {
     const median = (k) => sorted(k)[list.length >> 1]
     return { elements: session.now.drawing.elements.length, answered: median(1), shown: median(0), slowest: sorted(0).at(-1) }
   })
-  console.log(JSON.stringify({ drawing: file.split('/').pop(), ...times }))
+  console.log(JSON.stringify({ load: loadavg()[0], drawing: file.split('/').pop(), ...times }))
   await page.context().close()
   await server.kill()
   folder.remove()

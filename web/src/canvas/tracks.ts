@@ -27,7 +27,7 @@ export function pinOffsets(mask: number, pins: number, pitch: number): number[] 
 export const detailAt = (scale: number) => 2 ** Math.floor(Math.log2(0.9 / scale))
 
 /** Of a pixel: a line that leaves out points is nowhere further off. */
-const tolerance = 0.3
+const tolerance = 0.5
 
 /** Track of the point of the bar that is `offset` left of its middle, to a share of `detail`. */
 export function barTrack(s: Samples, first: number, last: number, offset: number, detail: number): Track {

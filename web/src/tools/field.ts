@@ -37,7 +37,9 @@ export class FieldTool extends Tool {
   constructor(...args: ConstructorParameters<typeof Tool>) {
     super(...args)
     view.listen((now, before) => {
-      if (now.tool === 'field' && now.field.what !== before.field.what) this.letGo()
+      if (now.tool !== 'field' || now.field.what === before.field.what) return
+      this.letGo()
+      if (now.field.what === 'border') this.stage.fit()
     })
     session.listen((now, before) => {
       if (view.now.tool === 'field' && now.standing !== before.standing) this.stage.refresh()
