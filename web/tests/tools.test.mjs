@@ -283,7 +283,7 @@ test('field draws keep-outs as boxes and corner by corner, and moves, adds and t
   await edited(page, () => drag(page, [[11.3, 4.3], [11, 4.3], [10.8, 4.3]]))
   outlines = (await settingsNow())['field.keep_out'].split(';')
   assert.ok(Math.abs(corners(outlines[0])[0][0] - 10.5) < 0.05, outlines[0])
-  if (pictures) await page.screenshot({ path: join(pictures, 'editor-field.png') })
+  if (pictures) await page.screenshot({ path: join(pictures, 'editor-fences.png') })
   // Delete takes the chosen corner out; a keep-out of two corners is none.
   await click(page, 10, 7)
   assert.deepEqual((await view(page)).field.corner, { fence: 2, corner: 0 })

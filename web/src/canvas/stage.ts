@@ -89,8 +89,10 @@ export class Stage {
     const { width, height } = drawing.canvas
     const box = { x0: 0, y0: 0, x1: width, y1: height }
     const { border } = drawing
-    if (view.now.tool === 'field') for (let i = 0; i + 1 < border.length; i += 2) include(box, border[i], border[i + 1])
-    this.camera = fitted(box, this.width, this.height, 56)
+    const fences = view.now.tool === 'field'
+    if (fences) for (let i = 0; i + 1 < border.length; i += 2) include(box, border[i], border[i + 1])
+    // Corners are to be taken hold of: not under the hint line.
+    this.camera = fitted(box, this.width, this.height, fences ? 84 : 56)
     this.redraw()
   }
   /** A place in the middle, near enough to see it. */
