@@ -246,14 +246,23 @@ class Drafter {
         const auto state = [](const CurvePoint& point) {
             return CurvatureState{point.pose, point.curvature};
         };
-        const std::uint64_t which = loop_bit | name_of(first, number);
-        const Driven& driven = search_->made.connected(
-            which, state(point_at(leg.curve, 0)), state(point_at(leg.curve, length(leg.curve))), finished_,
-            search_->pairs, options_, connect::Connection{.curve = leg.curve});
+        const CurvatureState from = state(point_at(leg.curve, 0)),
+                             to = state(point_at(leg.curve, length(leg.curve)));
+        const Driven driven = led_loop(leg, loop_bit | name_of(first, number), from, to);
         note(driven, leg.stroke, leg.stroke);
         leg.curve = driven.joint.curve;
         leg.path = states_along(leg.curve, options_.drive.step);
         return driven.cost;
+    }
+
+    Driven led_loop(const Leg& leg, std::uint64_t which, const CurvatureState& from,
+                    const CurvatureState& to) {
+        if (search_->mends)
+            if (const Driven* before = kept_.joints.find(from, to)) return *before;
+        const Driven& driven = search_->made.connected(which, from, to, finished_, search_->pairs, options_,
+                                                       connect::Connection{.curve = leg.curve});
+        kept_.joints.keep(from, to, driven);
+        return driven;
     }
 
     void finish(int group) {
