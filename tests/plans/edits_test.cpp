@@ -168,9 +168,7 @@ TEST(Edits, TheDriveEndsNearThePlaceThatIsAskedFor) {
 }
 
 TEST(Edits, ADriveWithinAnAreaIsLedThroughPosesAndOthersAreNot) {
-    const std::vector<Edit> filled{HintEdit{"inner", "fill-style", "zigzag"},
-                                   HintEdit{"inner", "fill-border", "off"}};
-    const Plan plain = planned(filled);
+    const Plan plain = planned({});  // rings, one after the other
     const auto hop = std::ranges::find_if(plain.connections, [&](const PlannedConnection& c) {
         return c.from >= 0 && c.to >= 0 && plain.strokes[static_cast<std::size_t>(c.from)].fill &&
                plain.strokes[static_cast<std::size_t>(c.from)].element ==
@@ -182,9 +180,7 @@ TEST(Edits, ADriveWithinAnAreaIsLedThroughPosesAndOthersAreNot) {
     const Point from = end_pose(a.rake_path.back()).at, to = b.rake_path.front().start.at;
     const Pose pose = beside(hop->curve, 1);
     const auto led_from = [&](Point place) {
-        std::vector<Edit> edits = filled;
-        edits.push_back(ThroughEdit{"inner", "inner", {pose}, std::pair{place, to}});
-        return planned(edits);
+        return planned({ThroughEdit{"inner", "inner", {pose}, std::pair{place, to}}});
     };
     const Plan led = led_from(from);
     EXPECT_TRUE(led.idle_edits.empty());
@@ -192,7 +188,9 @@ TEST(Edits, ADriveWithinAnAreaIsLedThroughPosesAndOthersAreNot) {
     for (std::size_t i = 0; i < led.connections.size(); ++i) {
         const bool it = &plain.connections[i] == &*hop;
         EXPECT_EQ(nearest(led.connections[i].curve, pose.at) < 1e-3, it) << i;
-        if (!it) EXPECT_EQ(led.connections[i].curve, plain.connections[i].curve) << i;
+        if (!it) {
+            EXPECT_EQ(led.connections[i].curve, plain.connections[i].curve) << i;
+        }
     }
     const Plan idle = led_from(from + Point{0.01, 0});
     ASSERT_EQ(idle.idle_edits.size(), 1u);
@@ -248,8 +246,9 @@ TEST(Drafts, ObeyWishesAndHoldWhatIsDrawnNow) {
     EXPECT_EQ(std::abs(line - outer), 1);
     const Plan entered = drafted({EntryEdit{{"outer", 2}}});
     for (std::size_t k = 0; k < entered.strokes.size(); ++k)
-        if (entered.drawing.elements[static_cast<std::size_t>(entered.strokes[k].element)].id == "outer")
+        if (entered.drawing.elements[static_cast<std::size_t>(entered.strokes[k].element)].id == "outer") {
             EXPECT_EQ(entered.strokes[k].nodes[static_cast<std::size_t>(entered.order[k].node)].drawn, 2);
+        }
 }
 
 TEST(Planner, PlansAsIfItHadKeptNothing) {
