@@ -1,5 +1,7 @@
 #include "leading.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -11,8 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// More than a hand puts in: each costs time while others wait.
-constexpr std::size_t most_poses = 200;
 // Points of the answer: enough for a smooth line on a screen.
 constexpr double most_points = 300;
 
@@ -35,7 +35,9 @@ Outcome<Wish> wish_in(std::string_view body) {
     const auto through = json.find("through");
     if (through == json.end() || !through->is_array())
         return fail("body/through", "is no list", "send poses: [[x, y, heading], ...]");
-    if (through->size() > most_poses) return fail("body/through", "holds more than 200 poses");
+    if (through->size() > ThroughEdit::most_poses)
+        return fail("body/through", fmt::format("holds more than {} poses", ThroughEdit::most_poses),
+                    "leave some out");
     for (const Json& row : *through) {
         const bool numbers = row.is_array() && row.size() == 3 &&
                              std::ranges::all_of(row, [](const Json& n) { return n.is_number(); });

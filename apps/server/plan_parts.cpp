@@ -120,8 +120,19 @@ Json runs_of(const Plan& plan) {
 
 Json connections_of(const Plan& plan) {
     Json connections = Json::array();
-    for (const PlannedConnection& c : plan.connections)
-        connections.push_back({{"from", c.from}, {"to", c.to}, {"length", shown(length(c.curve))}});
+    for (const PlannedConnection& c : plan.connections) {
+        Json json{{"from", c.from}, {"to", c.to}, {"length", shown(length(c.curve))}};
+        if (c.from >= 0 && c.to >= 0) {
+            const Stroke &a = plan.strokes[static_cast<std::size_t>(c.from)],
+                         &b = plan.strokes[static_cast<std::size_t>(c.to)];
+            if (a.fill && a.element == b.element) {
+                Json& hop = json["hop"] = Json::array();
+                add(hop, end_pose(a.rake_path.back()).at);
+                add(hop, b.rake_path.front().start.at);
+            }
+        }
+        connections.push_back(std::move(json));
+    }
     return connections;
 }
 

@@ -81,8 +81,8 @@ bool same_thing(const Edit& a, const Edit& b) {
         [&](const DrawEdit& edit) { return edit.element == std::get<DrawEdit>(b).element; },
         [&](const ThroughEdit& edit) {
             const auto& other = std::get<ThroughEdit>(b);
-            return (edit.from == other.from && edit.to == other.to) ||
-                   (edit.from == other.to && edit.to == other.from);
+            return edit.hop == other.hop && ((edit.from == other.from && edit.to == other.to) ||
+                                             (edit.from == other.to && edit.to == other.from));
         }};
     return std::visit(compare, a);
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -21,10 +22,6 @@ std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 Json json_of(const Error& error) {
     return {{"place", error.place}, {"reason", error.reason}, {"remedy", error.remedy}};
 }
-
-// Kicks of the search for a draft: floral (90 elements) takes 0.1 s with them, a second with the full budget,
-// and its way is a little longer.
-constexpr int draft_moves = 200;
 
 /// Thrown out of a progress report: how planning that nobody waits for any more is left at once.
 struct Outdated {};
@@ -136,17 +133,12 @@ Outcome<long long> Workspace::change(long long revision, const Edited& change) {
     return revision;
 }
 
-/// A draft first, by a short search: it is on the screen while the long one goes on. The stages that both
-/// share are made once. Under the lock, or before anyone else knows of this.
+/// A draft first: it is on the screen while the search goes on. The stages that both share are made once.
+/// Under the lock, or before anyone else knows of this.
 void Workspace::plan_anew(const State& state, long long revision) {
     planning_ = true;
     planning_thread_->want([this, state, revision](const std::atomic<bool>& stop) {
-        if (state.options.tour.moves == 0) {
-            State hasty = state;
-            hasty.options.tour.moves = draft_moves;
-            if (!plan_and_publish(hasty, revision, stop, true)) return;
-        }
-        plan_and_publish(state, revision, stop, false);
+        if (plan_and_publish(state, revision, stop, true)) plan_and_publish(state, revision, stop, false);
     });
 }
 
@@ -158,8 +150,8 @@ bool Workspace::plan_and_publish(const State& state, long long revision, const s
         if (!state.source || (state.source->bytes.empty() && state.edits.empty()))
             plan = fail("drawing", "nothing is drawn yet", "draw, write, or drop a drawing here");
         else
-            plan =
-                planner_->plan({state.source->bytes, state.source->title}, state.robot, state.options,
+            plan = std::invoke(draft ? &Planner::draft : &Planner::plan, *planner_,
+                               Source{state.source->bytes, state.source->title}, state.robot, state.options,
                                state.edits, progress_to(hub_, revision, stop, state.options.tour.time_limit));
     } catch (const Outdated&) {
         return false;

@@ -168,6 +168,23 @@ TEST(PlanErrors, AnEditThatCannotBeIsRefusedWithItsPlace) {
                 "body/0/paths/0: a path without a segment");
     EXPECT_SAYS(refusal(R"([{"edit":"draw","element":"a","paths":[["M",1,1,"L",2,2]],"pins":0,"smooth":0}])"),
                 "one pin");
+    const auto through = [](std::size_t poses, const char* more) {
+        std::string text = R"([{"edit":"through","from":"a","to":"b","poses":[[0,0,0])";
+        for (std::size_t i = 1; i < poses; ++i) text += ",[0,0,0]";
+        return text + "]" + more + "}]";
+    };
+    EXPECT_EQ(refusal(through(ThroughEdit::most_poses, "")), "");
+    EXPECT_SAYS(refusal(through(ThroughEdit::most_poses + 1, "")), "body/0/poses: 201 poses");
+    EXPECT_SAYS(refusal(through(1, R"(,"hop":[0,0,1,1])")), "body/0/hop");
+    EXPECT_SAYS(refusal(through(1, R"(,"hop":[0,0,1])")), "body/0/hop");
+}
+
+TEST(PlanErrors, ADriveWithinAnAreaIsReadAsItWasWritten) {
+    const std::vector<Edit> edits{
+        ThroughEdit{"a", "a", {{{1, 2}, 0.5}}, std::pair{Point{1, 2.25}, Point{3, 4}}}};
+    const auto read = formats::read_edits(formats::write_edits(edits), "body");
+    ASSERT_TRUE(read) << sentence(read.error());
+    EXPECT_EQ(*read, edits);
 }
 
 }  // namespace

@@ -167,6 +167,90 @@ TEST(Edits, TheDriveEndsNearThePlaceThatIsAskedFor) {
     }
 }
 
+TEST(Edits, ADriveWithinAnAreaIsLedThroughPosesAndOthersAreNot) {
+    const Plan plain = planned({});  // rings, one after the other
+    const auto hop = std::ranges::find_if(plain.connections, [&](const PlannedConnection& c) {
+        return c.from >= 0 && c.to >= 0 && plain.strokes[static_cast<std::size_t>(c.from)].fill &&
+               plain.strokes[static_cast<std::size_t>(c.from)].element ==
+                   plain.strokes[static_cast<std::size_t>(c.to)].element;
+    });
+    ASSERT_NE(hop, plain.connections.end());
+    const Stroke &a = plain.strokes[static_cast<std::size_t>(hop->from)],
+                 &b = plain.strokes[static_cast<std::size_t>(hop->to)];
+    const Point from = end_pose(a.rake_path.back()).at, to = b.rake_path.front().start.at;
+    const Pose pose = beside(hop->curve, 1);
+    const auto led_from = [&](Point place) {
+        return planned({ThroughEdit{"inner", "inner", {pose}, std::pair{place, to}}});
+    };
+    const Plan led = led_from(from);
+    EXPECT_TRUE(led.idle_edits.empty());
+    ASSERT_EQ(led.connections.size(), plain.connections.size());
+    for (std::size_t i = 0; i < led.connections.size(); ++i) {
+        const bool it = &plain.connections[i] == &*hop;
+        EXPECT_EQ(nearest(led.connections[i].curve, pose.at) < 1e-3, it) << i;
+        if (!it) {
+            EXPECT_EQ(led.connections[i].curve, plain.connections[i].curve) << i;
+        }
+    }
+    const Plan idle = led_from(from + Point{0.01, 0});
+    ASSERT_EQ(idle.idle_edits.size(), 1u);
+    EXPECT_NE(idle.idle_edits[0].find("within \"inner\": nothing is driven"), std::string::npos);
+    EXPECT_EQ(idle.samples, plain.samples);
+}
+
+TEST(Drafts, KeepTheLastRowWhereTheEditLeavesIt) {
+    Planner planner;
+    const Robot robot = *builtin_robot("beachbot");
+    const auto before = planner.plan(source, robot, {}, {});
+    const auto same = planner.draft(source, robot, {}, {});
+    ASSERT_TRUE(before && same);
+    EXPECT_EQ(same->samples, before->samples);
+    EXPECT_FALSE(same->figures.reproducible);
+    // Turned about: the others stay as they are.
+    for (const char* direction : {"forward", "backward"}) {
+        const auto turned = planner.draft(source, robot, {}, {DirectionEdit{"line", direction}});
+        ASSERT_TRUE(turned);
+        EXPECT_TRUE(turned->idle_edits.empty());
+        EXPECT_EQ(driven(*turned), driven(*before));
+        for (std::size_t k = 0; k < turned->strokes.size(); ++k) {
+            const bool line =
+                turned->drawing.elements[static_cast<std::size_t>(turned->strokes[k].element)].id == "line";
+            if (line)
+                EXPECT_EQ(turned->order[k].reversed, std::string(direction) == "backward");
+            else
+                EXPECT_EQ(turned->order[k], before->order[k]);
+        }
+    }
+}
+
+TEST(Drafts, ObeyWishesAndHoldWhatIsDrawnNow) {
+    Planner planner;
+    const Robot robot = *builtin_robot("beachbot");
+    ASSERT_TRUE(planner.plan(source, robot, {}, {}));
+    const auto drafted = [&](const std::vector<Edit>& edits) {
+        const auto draft = planner.draft(source, robot, {}, edits);
+        EXPECT_TRUE(draft) << sentence(draft.error());
+        return draft ? *draft : Plan{};
+    };
+    const std::vector<Edit> erased{HintEdit{"middle", "ink", "off"}};
+    EXPECT_EQ(std::ranges::count(driven(drafted(erased)), "middle"), 0);
+    // Back again, and something new.
+    const Plan more = drafted({DrawEdit{"pen", {path_through({{2, 2}, {4, 5}}, false)}, 1, 0}});
+    for (const char* id : {"outer", "middle", "inner", "line", "pen"})
+        EXPECT_EQ(std::ranges::count(driven(more), id), 1) << id;
+    // Another order, and two that are tied.
+    EXPECT_EQ(driven(drafted({OrderEdit{{"outer", "inner", "line", "middle"}}})),
+              (std::vector<std::string>{"outer", "inner", "line", "middle"}));
+    const std::vector<std::string> tied = driven(drafted({LinkEdit{{"line", -1}, {"outer", 2}}}));
+    const auto line = std::ranges::find(tied, "line"), outer = std::ranges::find(tied, "outer");
+    EXPECT_EQ(std::abs(line - outer), 1);
+    const Plan entered = drafted({EntryEdit{{"outer", 2}}});
+    for (std::size_t k = 0; k < entered.strokes.size(); ++k)
+        if (entered.drawing.elements[static_cast<std::size_t>(entered.strokes[k].element)].id == "outer") {
+            EXPECT_EQ(entered.strokes[k].nodes[static_cast<std::size_t>(entered.order[k].node)].drawn, 2);
+        }
+}
+
 TEST(Planner, PlansAsIfItHadKeptNothing) {
     Planner planner;
     const Robot beachbot = *builtin_robot("beachbot"), turf = *builtin_robot("turf");
@@ -185,6 +269,8 @@ TEST(Planner, PlansAsIfItHadKeptNothing) {
          {Round{beachbot, {}, none}, Round{beachbot, {}, erased}, Round{beachbot, {}, turned},
           Round{beachbot, zigzag, turned}, Round{turf, zigzag, drawn}, Round{beachbot, wide, drawn},
           Round{beachbot, {}, none}}) {
+        // a draft before it changes nothing of it
+        ASSERT_TRUE(planner.draft(source, round.robot, round.options, round.edits));
         const auto kept = planner.plan(source, round.robot, round.options, round.edits);
         const auto fresh = make_plan(source, round.robot, round.options, round.edits);
         ASSERT_TRUE(kept && fresh);

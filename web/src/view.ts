@@ -1,7 +1,7 @@
 // What is looked at and with which tool: not part of the project.
 import { Store } from './store'
 
-export type ToolName = 'select' | 'link' | 'shape' | 'start' | 'end' | 'entry' | 'fill' | 'cut' | 'draw' | 'text' | 'erase'
+export type ToolName = 'select' | 'link' | 'shape' | 'start' | 'end' | 'entry' | 'fill' | 'cut' | 'field' | 'draw' | 'text' | 'erase'
 export type Tab = 'plan' | 'order' | 'settings' | 'changes'
 
 export interface ViewState {
@@ -27,7 +27,9 @@ export interface ViewState {
   wantedSetting: string
   fill: { style: string; whole: boolean }
   /** The connection that is being shaped, and which of its points is meant (-1: none). */
-  shape: { from: string; to: string; pose: number } | null
+  shape: { from: string; to: string; hop?: number[]; pose: number } | null
+  /** What the field tool draws, and which corner of which fence is meant (0: the border). */
+  field: { what: 'border' | 'keep-out' | 'park' | 'exit'; corner: { fence: number; corner: number } | null }
   pen: { pins: number; smooth: number }
   text: { text: string; font: string; height: number; align: 'left' | 'centre' | 'right' }
 }
@@ -52,6 +54,7 @@ export const view = new Store<ViewState>({
   wantedSetting: '',
   fill: { style: 'zigzag', whole: true },
   shape: null,
+  field: { what: 'keep-out', corner: null },
   pen: { pins: 1, smooth: 0.03 },
   text: { text: 'Hello', font: 'scripts', height: 1, align: 'left' },
 })

@@ -27,8 +27,8 @@ for (const [name, size, options] of [
     const page = await openEditor(browser, server.url, size, options)
     await settled(page)
     await page.evaluate(axe)
-    for (const tab of ['plan', 'order', 'settings', 'changes']) {
-      await page.evaluate((t) => window.strandline.view.set({ tab: t, panelOpen: true, tool: 'fill', selected: 'arm1' }), tab)
+    for (const [tab, tool] of [['plan', 'fill'], ['order', 'field'], ['settings', 'text'], ['changes', 'draw']]) {
+      await page.evaluate(([t, name]) => window.strandline.view.set({ tab: t, panelOpen: true, tool: name, selected: 'arm1' }), [tab, tool])
       await page.waitForTimeout(80)
       const { violations } = await page.evaluate(() => window.axe.run())
       const serious = violations.filter((v) => v.impact === 'serious' || v.impact === 'critical')

@@ -49,7 +49,7 @@ export function startBrowser() {
 }
 
 /** The newest change is planned, checked and on the screen. */
-export function settled(page, revision = 0) {
+export function settled(page, revision = 0, timeout = 60000) {
   return page.waitForFunction(
     (least) => {
       const s = window.strandline?.session.now
@@ -57,7 +57,7 @@ export function settled(page, revision = 0) {
       return s.failure !== null || (s.report !== null && s.planned === s.standing.revision)
     },
     revision,
-    { timeout: 60000 },
+    { timeout },
   )
 }
 

@@ -43,6 +43,8 @@ Pose robot_pose(const CurvePoint& rake, const Robot& robot) {
     return robot_at(robot, rake.pose.at, heading);
 }
 
+}  // namespace
+
 Candidate candidate(const Group& group, const Going& going, const Robot& robot) {
     const std::vector<Stroke>& strokes = strokes_of(group, going.variant);
     const tour::Step& step = going.step;
@@ -64,6 +66,8 @@ Candidate candidate(const Group& group, const Going& going, const Robot& robot) 
         going.variant < 0 ? 0 : group.variants[static_cast<std::size_t>(going.variant)].longer;
     return {going, robot_pose(start, robot), robot_pose(end, robot), start.pose, end.pose, longer};
 }
+
+namespace {
 
 /// Rake up between the parts of one stroke.
 double looped(const drive::Drive& drive, const Options& options) {

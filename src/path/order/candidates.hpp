@@ -22,6 +22,10 @@ struct Candidate {
 /// By group.
 using Choices = std::vector<std::vector<Candidate>>;
 
+/// One way through a group. The poses are those of a robot whose rake has come to rest on the curvature of
+/// the rake path's end.
+Candidate candidate(const Group& group, const Going& going, const Robot& robot);
+
 /// For each group the step's own way first; then both directions of open lines, at most 24 nodes of closed
 /// ones in both senses, sharp corners first, all variants; what is fixed or tied is not varied. The poses are
 /// those of a robot whose rake has come to rest on the curvature of the rake path's end. A closed line that

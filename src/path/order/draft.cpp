@@ -36,18 +36,21 @@ struct Link {
 class Drafter {
   public:
     Drafter(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
-            const Search* search)
+            const Search* search, Memory::Kept& kept)
         : job_(job),
           goings_(goings),
           robot_(robot),
           options_(options),
           search_(search),
+          kept_(kept),
           finished_{route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
                     route::Ground({.clearance = options.avoid.clearance, .radius = options.avoid.radius}),
                     std::vector<char>(job.groups.size(), 0), false, Raked(job, robot, options.avoid)} {}
 
     Draft make(const Progress& progress) {
-        answer_.unshaped.assign(job_.shapes.size(), "the two are not driven one after the other");
+        for (const Shape& wished : job_.shapes)
+            answer_.unshaped.emplace_back(wished.hop ? "nothing is driven from there to there"
+                                                     : "the two are not driven one after the other");
         if (search_) search_->pairs.hard().add_to(finished_.ground);
         const std::vector<std::vector<Link>> chains = chained(links());
         std::optional<CurvatureState> from;
@@ -57,7 +60,7 @@ class Drafter {
             progress.report("driving", static_cast<double>(k) / static_cast<double>(chains.size()));
             std::vector<Planned> chain;
             for (const Link& link : chains[k]) chain.push_back(link.planned);
-            drive::Drive driven = drive_chain(chain, answer_.strokes, robot_, options_.drive);
+            drive::Drive driven = kept_.drives.driven(chain, answer_.strokes, robot_, options_.drive);
             if (from) connect(*from, last, driven.start, &chains[k].front());
             take(driven, chains[k].front());
             from = driven.end;
@@ -74,7 +77,7 @@ class Drafter {
                 cost_ += job_.groups[static_cast<std::size_t>(going.step.element)]
                              .variants[static_cast<std::size_t>(going.variant)]
                              .longer;
-        return {std::move(answer_), false, cost_};
+        return {std::move(answer_), false, cost_, goings_};
     }
 
   private:
@@ -135,6 +138,8 @@ class Drafter {
     Driven chosen(const CurvatureState& from, const Link* last, const CurvatureState& to, const Link* next,
                   int number) {
         if (!search_) return {connect::connection(from, to, options_.connect)};
+        if (search_->mends)
+            if (const Driven* before = kept_.joints.find(from, to)) return *before;
         const auto name = [&](const Link* link) {
             return static_cast<std::uint64_t>(link ? search_->row[link->place] + 1 : 0);
         };
@@ -143,6 +148,7 @@ class Drafter {
         if (last && next && last->place != next->place)
             search_->pairs.learn(search_->row[last->place], search_->row[next->place],
                                  search_->made.tried(which));
+        kept_.joints.keep(from, to, driven);
         return driven;
     }
 
@@ -168,7 +174,10 @@ class Drafter {
     void append(Driven driven, const CurvatureState& from, const Link* last, const CurvatureState& to,
                 const Link* next) {
         const int before = last ? last->planned.stroke : -1, after = next ? next->planned.stroke : -1;
-        if (last && next) shape(driven, goings_[last->place].step.element, goings_[next->place].step.element);
+        if (last && next)
+            shape(driven,
+                  {goings_[last->place].step.element, goings_[next->place].step.element,
+                   end_pose(last->planned.rake_path.back()).at, next->planned.rake_path.front().start.at});
         const connect::Connection& joint = driven.joint;
         if (!last || !next || last->place != next->place) cost_ += driven.cost;
         note(driven, before, after);
@@ -198,8 +207,8 @@ class Drafter {
     }
 
     /// A person's wish goes before what is shorter or spoils less; what it spoils is told.
-    void shape(Driven& driven, int a, int b) {
-        auto led = shaped(driven.joint, a, b, job_, options_.connect, answer_.unshaped);
+    void shape(Driven& driven, const Between& ends) {
+        auto led = shaped(driven.joint, ends, job_, options_.connect, answer_.unshaped);
         if (!led) return;
         driven.cost += worth(led->curve, options_) - worth(driven.joint.curve, options_);
         driven.joint = std::move(*led);
@@ -237,14 +246,23 @@ class Drafter {
         const auto state = [](const CurvePoint& point) {
             return CurvatureState{point.pose, point.curvature};
         };
-        const std::uint64_t which = loop_bit | name_of(first, number);
-        const Driven& driven = search_->made.connected(
-            which, state(point_at(leg.curve, 0)), state(point_at(leg.curve, length(leg.curve))), finished_,
-            search_->pairs, options_, connect::Connection{.curve = leg.curve});
+        const CurvatureState from = state(point_at(leg.curve, 0)),
+                             to = state(point_at(leg.curve, length(leg.curve)));
+        const Driven driven = led_loop(leg, loop_bit | name_of(first, number), from, to);
         note(driven, leg.stroke, leg.stroke);
         leg.curve = driven.joint.curve;
         leg.path = states_along(leg.curve, options_.drive.step);
         return driven.cost;
+    }
+
+    Driven led_loop(const Leg& leg, std::uint64_t which, const CurvatureState& from,
+                    const CurvatureState& to) {
+        if (search_->mends)
+            if (const Driven* before = kept_.joints.find(from, to)) return *before;
+        const Driven& driven = search_->made.connected(which, from, to, finished_, search_->pairs, options_,
+                                                       connect::Connection{.curve = leg.curve});
+        kept_.joints.keep(from, to, driven);
+        return driven;
     }
 
     void finish(int group) {
@@ -264,6 +282,7 @@ class Drafter {
     const Robot& robot_;
     const Options& options_;
     const Search* search_;
+    Memory::Kept& kept_;
     Finished finished_;
     Ordered answer_;
     double cost_ = 0;
@@ -272,8 +291,8 @@ class Drafter {
 }  // namespace
 
 Draft drafted(const Job& job, const std::vector<Going>& goings, const Robot& robot, const Options& options,
-              const Search* search, const Progress& progress) {
-    return Drafter(job, goings, robot, options, search).make(progress);
+              const Search* search, Memory::Kept& kept, const Progress& progress) {
+    return Drafter(job, goings, robot, options, search, kept).make(progress);
 }
 
 }  // namespace strandline::order

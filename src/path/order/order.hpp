@@ -1,6 +1,7 @@
 #pragma once
 // Which stroke comes when, where it is entered and in which sense, and what is driven
 // between. The only room that sees tour, drive and connect together. See docs/order.md.
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -43,10 +44,12 @@ struct Tie {
     int a = 0, node_a = 0, b = 0, node_b = 0;
 };
 /// What is driven from group a to group b is led through these poses of the robot; from b to a through the
-/// same backwards.
+/// same backwards. A hop: of what is driven within group a (b is it too), the drive between these places of
+/// the rake.
 struct Shape {
     int a = 0, b = 0;
     std::vector<Pose> through;
+    std::optional<std::pair<Point, Point>> hop = {};
 };
 struct Job {
     std::vector<Group> groups;
@@ -118,11 +121,37 @@ struct Ordered {
     Warnings warnings;
 };
 
+/// What is kept of one order for the next, an edit later: the row, how strokes are driven and what is driven
+/// between them. For one robot and one set of options. Holds the memory of the answer's legs.
+class Memory {
+  public:
+    struct Kept;
+    Memory();
+    ~Memory();
+    Memory(Memory&&) noexcept;
+    Memory& operator=(Memory&&) noexcept;
+
+  private:
+    std::unique_ptr<Kept> kept_;
+    friend Outcome<Ordered> ordered(const Job&, const Robot&, const Options&, const Progress&, Memory*);
+    friend std::optional<Ordered> mended(const Job&, const Robot&, const Options&, Memory&, const Progress&);
+};
+
 /// Order by straight rake-up length (tour); entries, senses and variants along that order by Dubins length
 /// between robot poses (exact, dynamic programming); then all of it again by driven metres and blemishes
 /// together (annealing), and every stroke driven and connected, round what is finished, until nothing gains.
 /// A robot that turns on the spot for free keeps the tour. Error: contradictory wishes, by name.
+/// `memory`: what was driven before is not driven again; the answer is the same, and is remembered.
 Outcome<Ordered> ordered(const Job& job, const Robot& robot, const Options& options,
-                         const Progress& progress = {});
+                         const Progress& progress = {}, Memory* memory = nullptr);
+
+/// The row remembered, put right for a job that differs little from the last one: what is gone is left out,
+/// what is new comes where it costs the least straight gap, what may no longer be gone through as it was goes
+/// otherwise; ties and `before` move what they must. No other row is looked for, and what was connected
+/// between the same states is connected so again, even where something else is finished by now: a draft,
+/// marked as stopped. None: there is no such row, or the wishes need a search. O(strokes), and what is driven
+/// anew.
+std::optional<Ordered> mended(const Job& job, const Robot& robot, const Options& options, Memory& memory,
+                              const Progress& progress = {});
 
 }  // namespace strandline::order

@@ -87,6 +87,11 @@ Parted parted(const Job& job, double near) {
     }
     for (std::size_t i = 0; i < job.shapes.size(); ++i) {
         const Shape& shape = job.shapes[i];
+        if (shape.hop) {
+            answer.job.shapes.push_back({of(shape.a).first, of(shape.a).first, shape.through, shape.hop});
+            answer.shape_of.push_back(static_cast<int>(i));
+            continue;
+        }
         for (int a = of(shape.a).first; a < of(shape.a).end; ++a)
             for (int b = of(shape.b).first; b < of(shape.b).end; ++b) {
                 answer.job.shapes.push_back({a, b, shape.through});

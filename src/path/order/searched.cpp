@@ -23,7 +23,7 @@ std::vector<Going> goings_of(const Row& row, const Pairs& pairs) {
 }  // namespace
 
 Draft searched(const Job& job, const std::vector<Going>& goings, const Choices& choices, const Robot& robot,
-               const Options& options, bool keep_row, const Progress& progress) {
+               const Options& options, bool keep_row, Memory::Kept& kept, const Progress& progress) {
     Pairs pairs(job, choices, robot, options);
     Row row;
     for (const Going& going : goings) {
@@ -36,7 +36,7 @@ Draft searched(const Job& job, const std::vector<Going>& goings, const Choices& 
     Made made;
     if (keep_row) {
         const Search search{pairs, made, row};
-        return drafted(job, goings, robot, options, &search, progress);
+        return drafted(job, goings, robot, options, &search, kept, progress);
     }
     std::uint64_t work = std::min(work_by_group * row.size(), most_work);
     if (options.tour.moves > 0) work = std::min(work, work_by_move * options.tour.moves);
@@ -49,7 +49,7 @@ Draft searched(const Job& job, const std::vector<Going>& goings, const Choices& 
     Row best_row;
     for (int round = 0; round < most_rounds; ++round) {
         const Search search{pairs, made, row};
-        Draft draft = drafted(job, goings_of(row, pairs), robot, options, &search, progress);
+        Draft draft = drafted(job, goings_of(row, pairs), robot, options, &search, kept, progress);
         if (!best || draft.cost < best->cost) {
             best = std::move(draft);
             best_row = row;

@@ -197,8 +197,12 @@ struct DrawEdit {
 /// What is driven from one element to the next is led through these poses of the robot's turning point, in
 /// this order; through the same backwards where the second element comes first.
 struct ThroughEdit {
+    /// More than a hand puts in: each costs time with every plan.
+    static constexpr std::size_t most_poses = 200;
     std::string from, to;
     std::vector<Pose> poses;
+    /// Of the drives within one area (from and to are it): the one from here to there, places of the rake.
+    std::optional<std::pair<Point, Point>> hop = {};
     bool operator==(const ThroughEdit&) const = default;
 };
 using Edit = std::variant<LinkEdit, EntryEdit, DirectionEdit, HintEdit, OrderEdit, DrawEdit, ThroughEdit>;

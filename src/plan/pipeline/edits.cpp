@@ -192,7 +192,7 @@ std::vector<std::string> apply_edits(order::Job& job, const std::vector<Edit>& e
         [&](const ThroughEdit& edit) {
             const auto a = group_named(job, edit.from), b = group_named(job, edit.to);
             if (a && b)
-                job.shapes.push_back({*a, *b, edit.poses});
+                job.shapes.push_back({*a, *b, edit.poses, edit.hop});
             else
                 idle.push_back(fmt::format("through: \"{}\" is not in the drawing", a ? edit.to : edit.from));
         },

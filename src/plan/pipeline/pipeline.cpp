@@ -156,6 +156,28 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
     parts::measure(f, plan.samples);
 }
 
+/// Kicks of the search for a draft whose row cannot be mended: a tenth of the time of a full search for 90
+/// elements, and a little longer a way.
+constexpr int draft_moves = 200;
+
+Outcome<order::Ordered> in_order(const order::Job& job, const Robot& robot, const Options& options,
+                                 pipeline::Kept& kept, bool draft, const Progress& progress) {
+    Options same = options;
+    same.tour.moves = 0;
+    same.tour.time_limit = 0;
+    if (kept.robot != robot || kept.options != same) {
+        kept.order = {};
+        kept.robot = robot;
+        kept.options = std::move(same);
+    }
+    order::Options search = pipeline::order_options(options, robot);
+    if (draft) {
+        if (auto mended = order::mended(job, robot, search, kept.order, progress)) return std::move(*mended);
+        if (search.tour.moves == 0 || search.tour.moves > draft_moves) search.tour.moves = draft_moves;
+    }
+    return order::ordered(job, robot, search, progress, &kept.order);
+}
+
 }  // namespace
 
 Options defaults_for(const Canvas& canvas) {
@@ -200,9 +222,10 @@ Outcome<void> valid(const Options& options, const Robot& robot) {
 
 Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::string& title,
                                 const Robot& robot, const Options& options, const std::vector<Edit>& edits,
-                                KeptStrokes& kept, const Progress& progress) {
+                                Kept& kept, bool draft, const Progress& progress) {
     std::vector<std::string> idle = pipeline::apply_to_drawing(drawing, edits, robot);
-    pipeline::Strokes strokes = pipeline::strokes_of(drawing, robot, options, kept, patient(progress));
+    pipeline::Strokes strokes =
+        pipeline::strokes_of(drawing, robot, options, kept.strokes, patient(progress));
     if (strokes.groups.empty()) {
         Error error{title, "nothing of the drawing can be raked at this size",
                     "make the canvas larger, or choose a narrower rake"};
@@ -232,18 +255,20 @@ Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::st
     for (std::string& gone : pipeline::apply_edits(job, edits)) plan.idle_edits.push_back(std::move(gone));
     pipeline::keep_within_batches(job);
     pipeline::add_surroundings(job, drawing, options, robot);
-    auto ordered = order::ordered(job, robot, pipeline::order_options(options, robot), progress);
+    auto ordered = in_order(job, robot, options, kept, draft, progress);
     if (!ordered) return tl::unexpected(ordered.error());
     for (std::size_t i = 0; i < job.shapes.size(); ++i)
         if (const order::Shape& shape = job.shapes[i]; !ordered->unshaped[i].empty())
             plan.idle_edits.push_back(
-                "through: from \"" + job.groups[static_cast<std::size_t>(shape.a)].name + "\" to \"" +
-                job.groups[static_cast<std::size_t>(shape.b)].name + "\": " + ordered->unshaped[i]);
+                (shape.hop ? "through: within \"" : "through: from \"") +
+                job.groups[static_cast<std::size_t>(shape.a)].name +
+                (shape.hop ? "" : "\" to \"" + job.groups[static_cast<std::size_t>(shape.b)].name) +
+                "\": " + ordered->unshaped[i]);
 
     plan.samples =
         trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});
     const Warnings unlifted = pipeline::lift_pins(plan.samples, ordered->strokes, drawing, robot, options);
-    pipeline::Fills fills = pipeline::account_for(job.groups, ordered->variants, kept, progress);
+    pipeline::Fills fills = pipeline::account_for(job.groups, ordered->variants, kept.strokes, progress);
     plan.drawing = std::move(drawing);
     plan.figures.fill_area = fills.account.area;
     plan.figures.fill_swept = fills.swept;

@@ -73,7 +73,7 @@ struct Planner::Kept {
     std::optional<pipeline::Read> read;
     pipeline::DrawingKey drawing_key;
     std::optional<Drawing> drawing;
-    pipeline::KeptStrokes strokes;
+    pipeline::Kept stages;
 };
 
 Planner::Planner() : kept_(std::make_unique<Kept>()) {}
@@ -83,6 +83,16 @@ Planner& Planner::operator=(Planner&&) noexcept = default;
 
 Outcome<Plan> Planner::plan(const Source& source, const Robot& robot, const Options& options,
                             const std::vector<Edit>& edits, const Progress& progress) {
+    return plan_or_draft(source, robot, options, edits, false, progress);
+}
+
+Outcome<Plan> Planner::draft(const Source& source, const Robot& robot, const Options& options,
+                             const std::vector<Edit>& edits, const Progress& progress) {
+    return plan_or_draft(source, robot, options, edits, true, progress);
+}
+
+Outcome<Plan> Planner::plan_or_draft(const Source& source, const Robot& robot, const Options& options,
+                                     const std::vector<Edit>& edits, bool draft, const Progress& progress) {
     if (const auto fits = valid(options, robot); !fits) return tl::unexpected(fits.error());
     const auto asked = pipeline::drawing_options(options);
     if (!asked) return tl::unexpected(asked.error());
@@ -106,7 +116,7 @@ Outcome<Plan> Planner::plan(const Source& source, const Robot& robot, const Opti
         kept_->drawing_key = std::move(drawing_key);
     }
     return pipeline::planned(*kept_->read, *kept_->drawing, source.title, robot, options, edits,
-                             kept_->strokes, progress);
+                             kept_->stages, draft, progress);
 }
 
 Outcome<Drawing> drawing_of(const Source& source, const Robot& robot, const Options& options,
@@ -132,8 +142,8 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     const pipeline::Read read = pipeline::without_wrong_hints(std::move(document), robot);
     auto drawing = pipeline::drawn(read, robot, *asked, edits, progress);
     if (!drawing) return tl::unexpected(drawing.error());
-    pipeline::KeptStrokes none;
-    return pipeline::planned(read, std::move(*drawing), title, robot, options, edits, none, progress);
+    pipeline::Kept none;
+    return pipeline::planned(read, std::move(*drawing), title, robot, options, edits, none, false, progress);
 }
 
 }  // namespace strandline

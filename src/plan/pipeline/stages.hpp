@@ -18,9 +18,17 @@ bool by_hand(const std::vector<Edit>& edits);
 /// The drawing before any edit. A file without shapes gives a bare one where lines are drawn by hand.
 Outcome<Drawing> drawn(const Read& read, const Robot& robot, const DrawingOptions& options,
                        const std::vector<Edit>& edits, const Progress& progress);
-/// All that comes after the drawing.
+/// What one plan leaves for the next.
+struct Kept {
+    KeptStrokes strokes;
+    order::Memory order;
+    Robot robot;      ///< that of `order`
+    Options options;  ///< ... but for the budget of the search
+};
+/// All that comes after the drawing. A draft: by the row that was driven last, as far as it can be mended;
+/// else by a short search.
 Outcome<Plan> planned(const Read& read, Drawing drawing, const std::string& title, const Robot& robot,
-                      const Options& options, const std::vector<Edit>& edits, KeptStrokes& kept,
+                      const Options& options, const std::vector<Edit>& edits, Kept& kept, bool draft,
                       const Progress& progress);
 
 /// Only the search may be cut short: a drawing read by half would be planned as if it were whole.

@@ -200,8 +200,18 @@ class PlanReader {
         get(child(at, "from"), through.from);
         get(child(at, "to"), through.to);
         each(child(at, "poses"), through.poses);
-        no_others(at, {"edit", "from", "to", "poses"});
+        if (at.value.contains("hop")) {
+            const auto n = exactly(child(at, "hop"), 4);
+            through.hop = {{n[0], n[1]}, {n[2], n[3]}};
+            if (through.from != through.to)
+                refuse(child(at, "hop"), "a drive within an area leads from it to itself");
+        }
+        no_others(at, {"edit", "from", "to", "poses", "hop"});
         if (through.poses.empty()) refuse(child(at, "poses"), "no pose to be led through");
+        if (through.poses.size() > ThroughEdit::most_poses)
+            refuse(child(at, "poses"),
+                   fmt::format("{} poses to be led through; {} are the limit: leave some out",
+                               through.poses.size(), ThroughEdit::most_poses));
     }
     void get(const At& at, Pose& pose) {
         const auto n = exactly(at, 3);

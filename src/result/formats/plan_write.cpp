@@ -219,6 +219,16 @@ class PlanWriter {
             put(pose.heading);
             add(out_, "]");
         });
+        if (edit.hop) {
+            add(out_, ",\"hop\":[");
+            const auto& [from, to] = *edit.hop;
+            put(from.x);
+            for (const double value : {from.y, to.x, to.y}) {
+                add(out_, ",");
+                put(value);
+            }
+            add(out_, "]");
+        }
         add(out_, "}");
     }
 

@@ -5,6 +5,7 @@ export const palette = {
   sandDark: '#dccba6',
   edge: '#b39d70',
   field: 'rgba(120, 95, 50, 0.55)',
+  fieldEdge: '#7a5f32',
   keepOut: 'rgba(107, 47, 143, 0.22)',
   keepOutEdge: '#6b2f8f',
   grid: 'rgba(110, 85, 45, 0.13)',

@@ -5,8 +5,9 @@ import { session } from '../session'
 import { sampleAt } from '../plan/samples'
 import type { ViewState } from '../view'
 import { view } from '../view'
-import { fitted, toWorld, visible } from './camera'
+import { fitted, include, toWorld, visible } from './camera'
 import type { Box, Camera, Point } from './camera'
+import { drawnByProcessor } from './hardware'
 import { Picking } from './picking'
 import * as marks from './marks'
 import * as paint from './paint'
@@ -39,8 +40,12 @@ export class Stage {
   private playedTo = -1
 
   constructor(readonly host: HTMLElement) {
+    const willReadFrequently = drawnByProcessor()
+    // A context is what it was when it was first asked for.
+    this.kept.getContext('2d', { willReadFrequently })
     const layer = (name: string) => {
       const canvas = document.createElement('canvas')
+      canvas.getContext('2d', { alpha: name !== 'base', willReadFrequently })
       canvas.className = `layer ${name}`
       canvas.setAttribute('aria-hidden', 'true')
       host.appendChild(canvas)
@@ -76,13 +81,18 @@ export class Stage {
     this.redraw()
   }
 
-  /** The canvas with a little around it. */
+  /** The canvas with a little around it; for the field tool the border too. */
   fit(): void {
     const drawing = session.now.drawing
     if (!drawing || this.width === 0) return
     this.fittedOnce = true
     const { width, height } = drawing.canvas
-    this.camera = fitted({ x0: 0, y0: 0, x1: width, y1: height }, this.width, this.height, 56)
+    const box = { x0: 0, y0: 0, x1: width, y1: height }
+    const { border } = drawing
+    const fences = view.now.tool === 'field'
+    if (fences) for (let i = 0; i + 1 < border.length; i += 2) include(box, border[i], border[i + 1])
+    // Corners are to be taken hold of: not under the hint line.
+    this.camera = fitted(box, this.width, this.height, fences ? 84 : 56)
     this.redraw()
   }
   /** A place in the middle, near enough to see it. */
@@ -175,7 +185,7 @@ export class Stage {
   /** Draws everything, at once: also for benches. */
   paintBase(): void {
     const begun = performance.now()
-    const ctx = this.base.getContext('2d', { alpha: false })!
+    const ctx = this.base.getContext('2d')!
     const { look, grid } = view.now
     const realistic = look === 'realistic'
     paint.paintSand(ctx, session.now.drawing, this.camera, this.ratio, realistic)
@@ -201,7 +211,7 @@ export class Stage {
     const box = this.box
     paint.inMetres(ctx, this.camera, this.ratio)
     if (look === 'realistic') paint.paintGrooves(ctx, this.tracks, box, this.camera, this.ratio, span, orderColours)
-    else paint.paintOutline(ctx, this.tracks, box, this.camera.scale, span, orderColours)
+    else paint.paintOutline(ctx, this.tracks, box, this.camera, this.ratio, span, orderColours)
     paint.inMetres(ctx, this.camera, this.ratio)
     if (wheels) paint.paintWheels(ctx, this.tracks, box)
     if (connections !== 'hidden')

@@ -26,35 +26,84 @@ export function pinOffsets(mask: number, pins: number, pitch: number): number[] 
 /** Metres that nobody sees at that scale: under a pixel, a power of two, so that few levels are kept. */
 export const detailAt = (scale: number) => 2 ** Math.floor(Math.log2(0.9 / scale))
 
-/**
- * Track of the point of the bar that is `offset` left of its middle. Points that bend it by less than a hair, or are
- * nearer than `detail` to the one before, are left out.
- */
+/** Of a pixel: a line that leaves out points is nowhere further off. */
+const tolerance = 0.5
+
+/** Track of the point of the bar that is `offset` left of its middle, to a share of `detail`. */
 export function barTrack(s: Samples, first: number, last: number, offset: number, detail: number): Track {
-  const path = new Path2D()
-  const box = emptyBox()
-  const turn = 0.01
-  const stretch = 0.4
-  let keptX = NaN
-  let keptY = NaN
-  let keptWay = 0
-  for (let i = first; i <= last; i++) {
-    const x = s.rakeX[i] - offset * Math.sin(s.heading[i])
-    const y = s.rakeY[i] + offset * Math.cos(s.heading[i])
-    include(box, x, y)
-    if (i === first) path.moveTo(x, y)
-    else {
-      const way = Math.atan2(y - keptY, x - keptX)
-      const bend = Math.abs(Math.atan2(Math.sin(way - keptWay), Math.cos(way - keptWay)))
-      const far = Math.hypot(x - keptX, y - keptY)
-      if (i < last && (far < detail || (i > first + 1 && bend < turn && far < stretch))) continue
-      path.lineTo(x, y)
-      keptWay = way
+  const { rakeX, rakeY, heading } = s
+  const line = new Line(tolerance * detail)
+  if (offset === 0) for (let i = first; i <= last; i++) line.add(rakeX[i], rakeY[i])
+  else
+    for (let i = first; i <= last; i++)
+      line.add(rakeX[i] - offset * Math.sin(heading[i]), rakeY[i] + offset * Math.cos(heading[i]))
+  return line.finished()
+}
+
+/**
+ * A polyline that leaves points out as long as a straight line from the last one kept passes all of them within the
+ * tolerance: the directions that do are a cone, which each point narrows (Williams 1978; Zhao and Saalfeld 1997). O(n).
+ */
+class Line {
+  private readonly path = new Path2D()
+  private readonly box = emptyBox()
+  private count = 0
+  /** The last point kept, the last one seen, and the cone's sides. */
+  private ax = 0
+  private ay = 0
+  private x = 0
+  private y = 0
+  private far = 0
+  private open = true
+  private leftX = 0
+  private leftY = 0
+  private rightX = 0
+  private rightY = 0
+  constructor(private readonly within: number) {}
+
+  add(x: number, y: number): void {
+    include(this.box, x, y)
+    if (this.count++ === 0) {
+      this.path.moveTo(x, y)
+      this.begin(x, y)
+    } else if (!this.narrow(x, y)) {
+      this.path.lineTo(this.x, this.y)
+      this.begin(this.x, this.y)
+      this.narrow(x, y)
     }
-    keptX = x
-    keptY = y
+    this.x = x
+    this.y = y
   }
-  return { path, box }
+  private begin(x: number, y: number): void {
+    this.ax = x
+    this.ay = y
+    this.far = 0
+    this.open = true
+  }
+  /** False: no straight line from the last point kept passes this one too, or the line turns back. */
+  private narrow(x: number, y: number): boolean {
+    const dx = x - this.ax
+    const dy = y - this.ay
+    const d = Math.hypot(dx, dy)
+    if (d <= this.within && this.open) return true
+    if (d < this.far - this.within) return false
+    if (!this.open && (dx * this.leftY - dy * this.leftX < 0 || dx * this.rightY - dy * this.rightX > 0)) return false
+    if (d > this.far) this.far = d
+    const sine = Math.min(1, this.within / d)
+    const cosine = Math.sqrt(1 - sine * sine)
+    const lx = (dx * cosine - dy * sine) / d
+    const ly = (dx * sine + dy * cosine) / d
+    const rx = (dx * cosine + dy * sine) / d
+    const ry = (dy * cosine - dx * sine) / d
+    if (this.open || lx * this.leftY - ly * this.leftX > 0) [this.leftX, this.leftY] = [lx, ly]
+    if (this.open || rx * this.rightY - ry * this.rightX < 0) [this.rightX, this.rightY] = [rx, ry]
+    this.open = false
+    return true
+  }
+  finished(): Track {
+    if (this.count > 1) this.path.lineTo(this.x, this.y)
+    return { path: this.path, box: this.box }
+  }
 }
 
 /** Track of a point of the robot's body, ahead and left of the turning point. */

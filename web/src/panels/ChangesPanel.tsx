@@ -1,4 +1,5 @@
 import type { Edit } from '../api/client'
+import { nameOf } from '../plan/shapes'
 import { edit, session } from '../session'
 import { useStore } from '../store'
 import { view } from '../view'
@@ -18,7 +19,7 @@ function described(e: Edit): string {
     case 'order':
       return `${e.elements.length} elements in a given order`
     case 'through':
-      return `${e.from} to ${e.to} through ${e.poses.length} point${e.poses.length > 1 ? 's' : ''}`
+      return `${nameOf(e)} through ${e.poses.length} point${e.poses.length > 1 ? 's' : ''}`
     case 'draw':
       return `${e.element}: ${e.paths.length} line${e.paths.length > 1 ? 's' : ''} by hand`
   }

@@ -87,6 +87,7 @@ export function ElementCard({ show }: { show: (x: number, y: number) => void }) 
           <Asked element={element} name="pins" label="Pins" choices={pins} />
         </>
       )}
+      <Asked element={element} name="field" label="Field" choices={['border', 'keep-out']} />
       <Asked element={element} name="tool" label="Tool" choices={['1', '2', '3', '4']} />
       <button class="secondary danger" onClick={() => eraseElement(element.id)}>
         Erase

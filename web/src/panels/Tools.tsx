@@ -1,4 +1,5 @@
-import { posesOf, shaped } from '../plan/shapes'
+import { endDropped, endOf, keepOutsSet, borderSet, withoutCorner, fencesOf } from '../plan/fences'
+import { nameOf, posesOf, shaped } from '../plan/shapes'
 import type { Pose } from '../plan/shapes'
 import { edit, session } from '../session'
 import { useStore } from '../store'
@@ -52,6 +53,7 @@ export function ToolOptions() {
       </div>
     )
   if (tool === 'shape') return <ShapeOptions />
+  if (tool === 'field') return <FieldOptions />
   const pinField = (
     <label>
       Pins
@@ -113,11 +115,11 @@ export function ToolOptions() {
 function ShapeOptions() {
   const shape = useStore(view, (v) => v.shape)
   const edits = useStore(session, (s) => s.standing?.edits ?? [])
-  const poses = shape ? posesOf(edits, shape.from, shape.to) : []
+  const poses = shape ? posesOf(edits, shape) : []
   if (!shape || poses.length === 0) return null
   const lead = (what: string, through: Pose[]) => {
     view.set({ shape: { ...shape, pose: -1 } })
-    void edit(`${what} ${shape.from} to ${shape.to}`, [shaped(shape.from, shape.to, through)])
+    void edit(`${what} ${nameOf(shape)}`, [shaped(shape, through)])
   }
   return (
     <div class="options">
@@ -127,6 +129,59 @@ function ShapeOptions() {
       <button class="secondary" onClick={() => lead('leave to the planner', [])}>
         Leave it to the planner
       </button>
+    </div>
+  )
+}
+
+/** What of the field is drawn, and buttons for hands without a keyboard. */
+function FieldOptions() {
+  const { what, corner } = useStore(view, (v) => v.field)
+  const settings = useStore(session, (s) => s.standing?.settings ?? {})
+  const drawing = useStore(session, (s) => s.drawing)
+  const own = what === 'park' || what === 'exit' ? endOf(settings, what) !== null : settings[what === 'border' ? 'field.border' : 'field.keep_out'] !== ''
+  const drop = () => {
+    view.set({ field: { what, corner: null } })
+    if (what === 'border') return edit('the border as by default', [borderSet([])])
+    if (what === 'keep-out') return edit('no keep-outs', [keepOutsSet([])])
+    return edit(what === 'park' ? 'parked nowhere' : 'no exit', endDropped(settings, what))
+  }
+  const dropCorner = () => {
+    const left = withoutCorner(fencesOf(settings, drawing), corner!.fence, corner!.corner)
+    view.set({ field: { what, corner: null } })
+    void edit('take a corner out', [corner!.fence === 0 ? borderSet(left[0]) : keepOutsSet(left.slice(1))])
+  }
+  return (
+    <div class="options">
+      <label>
+        Draw
+        <select value={what} onChange={(e) => view.set({ field: { what: e.currentTarget.value as typeof what, corner: null } })}>
+          <option value="keep-out">keep-outs</option>
+          <option value="border">the border</option>
+          <option value="park">where it is parked</option>
+          <option value="exit">where it ends</option>
+        </select>
+      </label>
+      {what === 'exit' && (
+        <label>
+          Ends
+          <select value={settings['park.exit']} onChange={(e) => edit(`exit ${e.currentTarget.value}`, endDropped(settings, 'exit', e.currentTarget.value === 'none' ? '' : e.currentTarget.value))}>
+            <option value="none">at the last stroke</option>
+            <option value="outside">outside the drawing</option>
+            {settings['park.parked'] === 'on' && <option value="parked">where it was parked</option>}
+            {settings['park.exit'] === 'pose' && <option value="pose">where it was put</option>}
+          </select>
+        </label>
+      )}
+      {corner && (
+        <button class="secondary" onClick={dropCorner}>
+          Take the corner out
+        </button>
+      )}
+      {own && (
+        <button class="secondary" onClick={() => void drop()}>
+          {what === 'border' ? 'By default' : what === 'keep-out' ? 'None' : 'Nowhere of its own'}
+        </button>
+      )}
     </div>
   )
 }

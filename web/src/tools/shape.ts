@@ -3,9 +3,9 @@ import type { Stroke } from '../canvas/gestures'
 import { distance } from '../canvas/camera'
 import type { Point } from '../canvas/camera'
 import { palette } from '../canvas/palette'
-import { asRows, posesOf, shaped, tieOf, tripsOf } from '../plan/shapes'
+import { asRows, mostPoses, nameOf, posesOf, same, shaped, tieOf, tripsOf } from '../plan/shapes'
 import type { Pose, Trip } from '../plan/shapes'
-import { edit, projectId, session } from '../session'
+import { edit, notify, projectId, session } from '../session'
 import { view } from '../view'
 import { Tool } from './tool'
 
@@ -45,10 +45,10 @@ export class ShapeTool extends Tool {
   }
   hint(): string {
     const { shape } = view.now
-    if (!shape) return 'Click a connection between two elements.'
+    if (!shape) return 'Click a drive between two elements, or between two places of an area.'
     if (this.trial?.refused) return this.trial.refused
     if (shape.pose >= 0) return 'Drag the point to move it, its arrow to turn it; Delete takes it out. Escape lets go.'
-    return `From ${shape.from} to ${shape.to}: drag the line where it is to run elsewhere.`
+    return `${shape.hop ? `Within ${shape.from}` : `From ${shape.from} to ${shape.to}`}: drag the line where it is to run elsewhere.`
   }
   private trips(): Trip[] {
     const { drawing, drive, samples } = session.now
@@ -56,13 +56,13 @@ export class ShapeTool extends Tool {
   }
   private chosen(): Trip | null {
     const { shape } = view.now
-    return this.trips().find((trip) => trip.from === shape?.from && trip.to === shape.to) ?? null
+    return (shape && this.trips().find((trip) => same(trip, shape))) ?? null
   }
   /** The poses as they are dragged, else those that hold. */
   private now(): Pose[] {
     const { shape } = view.now
     if (this.drag || this.trial) return this.poses
-    return shape ? posesOf(session.now.standing?.edits ?? [], shape.from, shape.to) : []
+    return shape ? posesOf(session.now.standing?.edits ?? [], shape) : []
   }
   /** The connection under the pointer, by what the robot or the rake drives, and the sample there. */
   private find(at: Stroke, trips: Trip[]): { trip: Trip; sample: number } | null {
@@ -99,7 +99,7 @@ export class ShapeTool extends Tool {
     if (moved >= 0) return begin(moved, false, poses[moved])
     const chosen = this.chosen()
     const found = (chosen && this.find(at, [chosen])) ?? this.find(at, this.trips())
-    view.set({ shape: found ? { from: found.trip.from, to: found.trip.to, pose: -1 } : null })
+    view.set({ shape: found ? { ...named(found.trip), pose: -1 } : null })
     this.trial = null
     if (found) this.put(found.trip, found.sample, at)
     this.say()
@@ -107,7 +107,8 @@ export class ShapeTool extends Tool {
   /** A new point where the line was taken; it counts once it has been dragged. */
   private put(trip: Trip, sample: number, at: Stroke): void {
     const { x, y, heading } = session.now.samples
-    const poses = posesOf(session.now.standing?.edits ?? [], trip.from, trip.to)
+    const poses = posesOf(session.now.standing?.edits ?? [], trip)
+    if (poses.length >= mostPoses) return notify(`${mostPoses} points are the limit: take one out first.`)
     const nearest = (p: Pose) => {
       let best = trip.first
       for (let i = trip.first; i <= trip.last; i++)
@@ -139,14 +140,14 @@ export class ShapeTool extends Tool {
       this.trial = null
       return this.say()
     }
-    view.set({ shape: { from: trip.from, to: trip.to, pose: drag.pose } })
+    view.set({ shape: { ...named(trip), pose: drag.pose } })
     this.say()
     void this.keep(trip, this.poses)
   }
   private async keep(trip: Trip, poses: Pose[]): Promise<void> {
     const { drawing, drive } = session.now
     const tie = tieOf(trip, drawing!, drive!)
-    const taken = await edit(`shape ${trip.from} to ${trip.to}`, [shaped(trip.from, trip.to, poses), ...(tie ? [tie] : [])])
+    const taken = await edit(`shape ${nameOf(trip)}`, [shaped(trip, poses), ...(tie ? [tie] : [])])
     if (!taken) this.trial = null
     this.say()
   }
@@ -181,7 +182,7 @@ export class ShapeTool extends Tool {
     const left = this.now().filter((_, i) => i !== shape.pose)
     view.set({ shape: { ...shape, pose: -1 } })
     this.drag = this.trial = null
-    void edit(`take a point out of ${trip.from} to ${trip.to}`, [shaped(trip.from, trip.to, left)])
+    void edit(`take a point out of ${nameOf(trip)}`, [shaped(trip, left)])
     return true
   }
   cancel(): void {
@@ -213,6 +214,8 @@ export class ShapeTool extends Tool {
     })
   }
 }
+
+const named = ({ from, to, hop }: Trip) => ({ from, to, ...(hop && { hop }) })
 
 function pairs(flat: number[]): Point[] {
   return Array.from({ length: flat.length / 2 }, (_, i) => ({ x: flat[2 * i], y: flat[2 * i + 1] }))

@@ -24,6 +24,8 @@ export abstract class Tool implements Hand {
   erase(): boolean {
     return false
   }
+  /** What was begun is complete: Enter. */
+  finish(): void {}
   /** Back to the first state. */
   reset(): void {}
   paint(_ctx: CanvasRenderingContext2D): void {}

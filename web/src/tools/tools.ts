@@ -6,6 +6,7 @@ import type { ToolName } from '../view'
 import { view } from '../view'
 import { CutTool, FillTool } from './fill'
 import { DrawTool, TextTool } from './draw'
+import { FieldTool } from './field'
 import { EndTool, EntryTool, StartTool } from './places'
 import { eraseElement, EraseTool, SelectTool } from './select'
 import { LinkTool } from './link'
@@ -21,6 +22,7 @@ export const toolList: { name: ToolName; label: string; key: string }[] = [
   { name: 'entry', label: 'Entry', key: 'N' },
   { name: 'fill', label: 'Fill', key: 'F' },
   { name: 'cut', label: 'Cut', key: 'X' },
+  { name: 'field', label: 'Field', key: 'B' },
   { name: 'draw', label: 'Draw', key: 'D' },
   { name: 'text', label: 'Text', key: 'T' },
   { name: 'erase', label: 'Erase', key: 'E' },
@@ -30,7 +32,7 @@ export const toolList: { name: ToolName; label: string; key: string }[] = [
 export class Toolbox implements Hand {
   private readonly tools: Record<ToolName, Tool>
   constructor(private readonly stage: Stage) {
-    const kinds = [SelectTool, LinkTool, ShapeTool, StartTool, EndTool, EntryTool, FillTool, CutTool, DrawTool, TextTool, EraseTool]
+    const kinds = [SelectTool, LinkTool, ShapeTool, StartTool, EndTool, EntryTool, FillTool, CutTool, FieldTool, DrawTool, TextTool, EraseTool]
     const all = kinds.map((T) => new T(stage))
     this.tools = Object.fromEntries(all.map((tool) => [tool.name, tool])) as Record<ToolName, Tool>
     stage.overlay = (ctx) => this.tool.paint(ctx)
@@ -78,6 +80,7 @@ export class Toolbox implements Hand {
     if (key === 'delete' || key === 'backspace') {
       if (!this.tool.erase() && view.now.selected) void eraseElement(view.now.selected)
     }
+    if (key === 'enter') this.tool.finish()
     if (key === '0') this.stage.fit()
     if (key === 'g') view.set({ grid: !view.now.grid })
     if (key === 'r') view.set({ look: view.now.look === 'outline' ? 'realistic' : 'outline' })
