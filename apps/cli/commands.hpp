@@ -44,7 +44,7 @@ struct PlanArguments {
     std::vector<std::string> links;       ///< A:V=B:W
     std::vector<std::string> entries;     ///< A:V
     std::vector<std::string> directions;  ///< A=forward|backward|ccw|cw
-    std::string avoid;
+    std::string avoid, order, method;
     std::string occlusion;
     std::vector<std::string> layers, rules;
     bool invert = false, strict = false, open = false;

@@ -98,6 +98,14 @@ int connect(const ConnectArguments& arguments, const Common& common) {
     const auto pairs = read_pairs(*text, arguments.input, *defaults);
     if (!pairs) return complain(pairs.error(), bad_input);
 
+    std::set<std::string> unknown;
+    for (const stages::Pair& pair : *pairs) unknown.insert(pair.unknown.begin(), pair.unknown.end());
+    Warnings warnings;
+    for (const std::string& key : unknown)
+        warnings.push_back({arguments.input == "-" ? "stdin" : arguments.input,
+                            fmt::format("unknown key \"{}\" is ignored", key)});
+    warn(warnings, common.quiet);
+
     std::string out;
     int blocked = 0, fallbacks = 0, round = 0;
     for (std::size_t i = 0; i < pairs->size(); ++i) {

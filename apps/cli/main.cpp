@@ -83,6 +83,9 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
                      "layer=NAME: pins=3 or colour=#f00000: tool=2, fill-style=zigzag; may be repeated");
     plan->add_option("--avoid", a.avoid,
                      "on | off: off drives over finished areas and lines, the shortest way");
+    plan->add_option("--order", a.order, "free | grouped: neighbouring strokes are finished together")
+        ->check(CLI::IsMember({"free", "grouped"}));
+    plan->add_option("--method", a.method, "best | exact | nearest | file: how the order is found");
     plan->add_option("--occlusion", a.occlusion, "on | off: off draws what later shapes cover too");
     plan->add_flag("--invert", a.invert, "the drawing is light on dark: rake what is bright");
     plan->add_option("--dpi", a.dpi, "px to the inch in the SVG, for --place actual; default 96");

@@ -25,7 +25,9 @@ void add_simulate(CLI::App& app, SimulateArguments& a, const Common& common, std
         ->check(CLI::Range(64, 16000))
         ->capture_default_str();
     simulate->add_option("--against", a.against, "drawing or plan that the sand is held against");
-    simulate->add_option("--noise", a.noise, "let a controller drive; of each fix of its place, default the robot's fix_noise")
+    simulate
+        ->add_option("--noise", a.noise,
+                     "let a controller drive; of each fix of its place, default the robot's fix_noise")
         ->expected(0, 1);
     simulate->add_option("--wander", a.wander, "of the slow drift of that place, default 1cm");
     simulate->add_option("--delay", a.delay, "of fixes, default 0.12s");

@@ -66,6 +66,14 @@ int tour(const TourArguments& arguments, const Common& common) {
             return complain({"--time-limit", "is not above 0", "write a duration such as 10s"}, bad_call);
         limit = *duration;
     }
+    if (arguments.method == "exact" && arguments.order == "grouped")
+        return complain({"--method exact", "proves the shortest tour, which --order grouped leaves",
+                         "leave one of them out"},
+                        bad_call);
+    if (!arguments.write_tsplib.empty() && !arguments.read_tour.empty())
+        return complain(
+            {"--write-tsplib", "asks for a problem, --read-tour for a solution", "leave one of them out"},
+            bad_call);
     const auto text = read_input(arguments.input);
     if (!text) return complain(text.error(), bad_input);
     const auto instance = stages::read_instance(*text, arguments.input == "-" ? "stdin" : arguments.input);

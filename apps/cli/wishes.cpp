@@ -26,6 +26,9 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
     if (done && !a.rules.empty())
         done = set(wishes.options, "drawing.rules", fmt::format("{}", fmt::join(a.rules, "; ")));
     if (done && !a.avoid.empty()) done = set(wishes.options, "avoid.finished", a.avoid);
+    if (done && !a.order.empty())
+        done = set(wishes.options, "tour.grouped", a.order == "grouped" ? "on" : "off");
+    if (done && !a.method.empty()) done = set(wishes.options, "tour.method", a.method);
     if (done && !a.occlusion.empty()) done = set(wishes.options, "drawing.occlusion", a.occlusion);
     if (done && a.invert) done = set(wishes.options, "ink.invert", "on");
     if (done && !a.dpi.empty()) done = set(wishes.options, "drawing.dpi", a.dpi);

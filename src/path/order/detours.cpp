@@ -139,10 +139,16 @@ Spoilt spoilt(const Curve& curve, const Finished& finished, const Pairs& pairs, 
     Spoilt found;
     found.hard = pairs.hard().metres(curve);
     if (!options.avoid.on) return found;
-    for (const Touch& touch : pairs.touched(curve).groups)
-        if (finished.groups[static_cast<std::size_t>(touch.group)] != 0) found.crossings += touch.crossings;
+    for (const Touch& touch : pairs.touched(curve).groups) {
+        if (finished.groups[static_cast<std::size_t>(touch.group)] == 0) continue;
+        found.crossings += touch.crossings;
+        found.first = std::min(found.first, touch.first_crossing);
+    }
     found.rolled = finished.raked.rolled(curve);
-    if (finished.any_area && !finished.areas.clear(curve)) found.metres = finished.areas.blemish(curve);
+    if (finished.any_area && !finished.areas.clear(curve)) {
+        found.metres = finished.areas.blemish(curve);
+        found.first = std::min(found.first, finished.areas.clear_length(curve));
+    }
     return found;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Private to the room: connections round what is finished.
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -24,6 +25,7 @@ struct Spoilt {
     double hard = 0;     ///< metres with the footprint in a keep-out or out of the field
     Rolled rolled = {};  ///< what is not finished
     int crossings = 0;   ///< of finished lines
+    double first = std::numeric_limits<double>::infinity();  ///< metres along the curve, of finished ground
     double all_metres() const { return metres + rolled.metres; }
     int all_crossings() const { return crossings + rolled.crossings; }
     bool none() const { return hard == 0 && all_metres() == 0 && all_crossings() == 0; }

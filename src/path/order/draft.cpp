@@ -18,13 +18,6 @@ void append_pivot(std::vector<Leg>& legs, Pose at, double turn) {
     legs.push_back({Motion::pivot, -1, {{0, at, 0}, {0, {at.at, at.heading + turn}, 0}}, {}});
 }
 
-/// Where a drive along a curve first does what it should not.
-Point begin_of(const Finished& finished, const Driven& driven) {
-    if (driven.spoilt.rolled.first) return *driven.spoilt.rolled.first;
-    const Curve& curve = driven.joint.curve;
-    return point_at(curve, finished.areas.clear_length(curve)).pose.at;
-}
-
 /// A stroke as planned, and what it is of.
 struct Link {
     Planned planned;
@@ -62,7 +55,7 @@ class Drafter {
             for (const Link& link : chains[k]) chain.push_back(link.planned);
             drive::Drive driven = kept_.drives.driven(chain, answer_.strokes, robot_, options_.drive);
             if (from) connect(*from, last, driven.start, &chains[k].front());
-            take(driven, chains[k].front());
+            take(driven, chains[k]);
             from = driven.end;
             last = &chains[k].back();
             for (const Link& link : chains[k])
@@ -200,10 +193,13 @@ class Drafter {
     }
 
     void note(const Driven& driven, int before, int after) {
-        const double metres = driven.spoilt.all_metres();
-        const int crossings = driven.spoilt.all_crossings();
-        if (metres > 0 || crossings > 0)
-            answer_.blemishes.push_back({before, after, begin_of(finished_, driven), metres, crossings});
+        const Spoilt& spoilt = driven.spoilt;
+        if (spoilt.metres > 0 || spoilt.crossings > 0)
+            answer_.blemishes.push_back({before, after, point_at(driven.joint.curve, spoilt.first).pose.at,
+                                         spoilt.metres, spoilt.crossings});
+        if (const Rolled& rolled = spoilt.rolled; rolled.first)
+            answer_.blemishes.push_back(
+                {before, after, *rolled.first, rolled.metres, rolled.crossings, true});
     }
 
     /// A person's wish goes before what is shorter or spoils less; what it spoils is told.
@@ -216,15 +212,17 @@ class Drafter {
         driven.spoilt = search_ ? spoilt(driven.joint.curve, finished_, search_->pairs, options_) : Spoilt{};
     }
 
-    void take(drive::Drive& driven, const Link& first) {
+    void take(drive::Drive& driven, const std::vector<Link>& chain) {
         int number = 0;
         for (Leg& leg : driven.legs) {
-            if (leg.motion == Motion::draw) rake(leg, first);
+            const auto link =
+                std::ranges::find(chain, leg.stroke, [](const Link& l) { return l.planned.stroke; });
+            if (leg.motion == Motion::draw) rake(leg, *link);
             // Those of fills are the same whichever way they are taken, but for variants, which say so.
             if (leg.motion == Motion::loop) {
                 if (answer_.strokes[static_cast<std::size_t>(leg.stroke)].fill)
                     cost_ -= worth(leg.curve, options_);
-                cost_ += led_round(leg, first, number++);
+                cost_ += led_round(leg, *link, number++);
             }
             answer_.legs.push_back(std::move(leg));
         }
@@ -235,20 +233,20 @@ class Drafter {
         answer_.pivots += driven.pivots;
     }
 
-    void rake(const Leg& leg, const Link& first) {
+    void rake(const Leg& leg, const Link& link) {
         const Stroke& stroke = answer_.strokes[static_cast<std::size_t>(leg.stroke)];
-        if (search_) finished_.raked.draw(leg, stroke, name_of(first, 0));
+        if (search_) finished_.raked.draw(leg, stroke, name_of(link, 0));
     }
 
     /// A corner's loop, round what is finished and what is hard; its cost.
-    double led_round(Leg& leg, const Link& first, int number) {
+    double led_round(Leg& leg, const Link& link, int number) {
         if (!search_) return worth(leg.curve, options_);
         const auto state = [](const CurvePoint& point) {
             return CurvatureState{point.pose, point.curvature};
         };
         const CurvatureState from = state(point_at(leg.curve, 0)),
                              to = state(point_at(leg.curve, length(leg.curve)));
-        const Driven driven = led_loop(leg, loop_bit | name_of(first, number), from, to);
+        const Driven driven = led_loop(leg, loop_bit | name_of(link, number), from, to);
         note(driven, leg.stroke, leg.stroke);
         leg.curve = driven.joint.curve;
         leg.path = states_along(leg.curve, options_.drive.step);

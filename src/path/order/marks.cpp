@@ -113,7 +113,8 @@ void Marks::for_squares(Point a, Point b, What&& what) const {
             what(squares_.index(i, j));
 }
 
-void Marks::cross(Point a, Point b, Point begin, Point end, std::vector<Touch>& found) const {
+void Marks::cross(Point a, Point b, Point begin, Point end, double travelled,
+                  std::vector<Touch>& found) const {
     ++question_;
     for_squares(a, b, [&](std::size_t cell) {
         for (const int k : by_square_.of(cell)) {
@@ -128,7 +129,7 @@ void Marks::cross(Point a, Point b, Point begin, Point end, std::vector<Touch>& 
             const auto hit = crossing(a, b, chord.a, chord.b);
             if (!hit || hit->s >= 1 || hit->t >= 1) continue;
             if (distance(hit->at, begin) <= own_end || distance(hit->at, end) <= own_end) continue;
-            found.push_back({chord.group, 1, 0});
+            found.push_back({chord.group, 1, 0, travelled});
         }
     });
 }
@@ -139,6 +140,7 @@ Touched Marks::touched(const Curve& curve) const {
     if (chords_.empty() && by_cell_.first.empty() && !inside_) return touched;
     const Point begin = curve.start.at, end = end_pose(curve).at;
     Pose at = curve.start;
+    double travelled = 0;
     for (const Clothoid& piece : curve.pieces) {
         const double bend = std::max(std::abs(piece.curvature), std::abs(piece.end_curvature()));
         const double longest = !by_cell_.first.empty() ? areas_.cell
@@ -155,7 +157,8 @@ Touched Marks::touched(const Curve& curve) const {
         for (int i = 1; i <= parts; ++i) {
             const Point to = arc ? from + chord : advanced(at, piece, step * i).at;
             chord = {chord.x * turn.x - chord.y * turn.y, chord.x * turn.y + chord.y * turn.x};
-            if (!chords_.empty()) cross(from, to, begin, end, found);
+            if (!chords_.empty()) cross(from, to, begin, end, travelled, found);
+            travelled += step;
             if (inside_ && !contains(*inside_, between(from, to, 0.5))) {
                 touched.hard += step;
             } else if (!by_cell_.first.empty()) {
@@ -180,6 +183,7 @@ Touched Marks::touched(const Curve& curve) const {
         if (merged.empty() || merged.back().group != touch.group) merged.push_back({touch.group});
         merged.back().crossings += touch.crossings;
         merged.back().metres += touch.metres;
+        merged.back().first_crossing = std::min(merged.back().first_crossing, touch.first_crossing);
     }
     return touched;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Private to the room: what lies in the sand when all is drawn, so that a curve can be asked what it would
 // spoil.
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Touch {
     int group;
     int crossings = 0;  ///< of its line
     double metres = 0;  ///< within its area and nearer to it than the clearance, to a cell
+    double first_crossing = std::numeric_limits<double>::infinity();  ///< metres along the curve, to a step
 };
 struct Touched {
     std::vector<Touch> groups;  ///< ascending
@@ -48,7 +50,7 @@ class Marks {
     void take_areas(const Job& job, const Avoid& avoid, const Regions& hard);
     template <class What>
     void for_squares(Point a, Point b, What&& what) const;
-    void cross(Point a, Point b, Point begin, Point end, std::vector<Touch>& found) const;
+    void cross(Point a, Point b, Point begin, Point end, double travelled, std::vector<Touch>& found) const;
 
     Raster squares_, areas_;
     std::vector<Chord> chords_;

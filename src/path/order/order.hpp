@@ -81,7 +81,9 @@ struct Blemish {
     int from = -1, to = -1;  ///< strokes; -1: parked, or an exit
     Point at;                ///< where it begins
     double metres = 0;       ///< nearer to finished areas than the clearance
-    int crossings = 0;       ///< of drawn lines
+    int crossings = 0;       ///< of finished lines
+    /// Instead, of what is still being raked: metres with a wheel on its area, crossings of its own line.
+    bool unfinished = false;
 };
 struct Options {
     tour::Options tour;

@@ -29,16 +29,17 @@ Raked::Raked(const Job& job, const Robot& robot, const Avoid& avoid) : robot_(ro
             for (const Node& node : stroke.nodes) box = including(box, node.at);
     if (box.empty()) return;
     raster_ = raster_over(grown(box, robot.rake_width()), cell);
-    cells_.assign(raster_.size(), untouched);
+    lines_.assign(raster_.size(), 0);
+    areas_.assign(raster_.size(), 0);
 }
 
 void Raked::draw(const Leg& leg, const Stroke& stroke, std::uint64_t what) {
-    if (cells_.empty()) return;
+    if (areas_.empty()) return;
     Element& element = elements_[stroke.element];
     element.share += mixed(what);
     state_ += mixed(what);
     const double half = groove_width(robot_, stroke.pins) / 2 / raster_.cell;
-    const Cell kind = stroke.fill ? area : line;
+    Layer& layer = stroke.fill ? areas_ : lines_;
     for (std::size_t i = 1; i < leg.path.size(); ++i) {
         const Point a = raster_.in_cells(rake_at(robot_, leg.path[i - 1].pose)),
                     b = raster_.in_cells(rake_at(robot_, leg.path[i].pose));
@@ -47,9 +48,8 @@ void Raked::draw(const Leg& leg, const Stroke& stroke, std::uint64_t what) {
         for_runs_in(raster_, Swath{a, 1 / length * (b - a), length, half, half}, [&](const Run& run) {
             for (int column = run.first; column < run.end; ++column) {
                 const std::size_t index = raster_.index(column, run.row);
-                if (cells_[index] == kind) continue;
-                cells_[index] = kind;
-                element.cells.push_back(index);
+                if (std::exchange(layer[index], stroke.element + 1) != stroke.element + 1)
+                    element.cells.push_back(index);
             }
         });
     }
@@ -59,15 +59,17 @@ void Raked::finish(int element) {
     const auto found = elements_.find(element);
     if (found == elements_.end()) return;
     state_ -= found->second.share;
-    for (const std::size_t index : found->second.cells) cells_[index] = untouched;
+    for (const std::size_t index : found->second.cells)
+        for (Layer* layer : {&lines_, &areas_})
+            if ((*layer)[index] == element + 1) (*layer)[index] = 0;
     elements_.erase(found);
 }
 
-Raked::Cell Raked::cell_at(Point at) const {
+bool Raked::is_on(const Layer& layer, Point at) const {
     const Point place = raster_.in_cells(at);
     const long column = std::lround(place.x), row = std::lround(place.y);
-    if (column < 0 || column >= raster_.columns || row < 0 || row >= raster_.rows) return untouched;
-    return cells_[raster_.index(static_cast<int>(column), static_cast<int>(row))];
+    if (column < 0 || column >= raster_.columns || row < 0 || row >= raster_.rows) return false;
+    return layer[raster_.index(static_cast<int>(column), static_cast<int>(row))] != 0;
 }
 
 Rolled Raked::rolled(const Curve& curve) const {
@@ -79,9 +81,9 @@ Rolled Raked::rolled(const Curve& curve) const {
         const Pose& pose = points[i].pose;
         const Point ahead = unit(pose.heading), left{-ahead.y, ahead.x};
         const bool rolls = std::ranges::any_of(robot_.wheels, [&](const Wheel& wheel) {
-            return cell_at(pose.at + wheel.at.x * ahead + wheel.at.y * left) == area;
+            return is_on(areas_, pose.at + wheel.at.x * ahead + wheel.at.y * left);
         });
-        const bool was_on_line = std::exchange(on_line, cell_at(pose.at) == line);
+        const bool was_on_line = std::exchange(on_line, is_on(lines_, pose.at));
         const bool crosses = on_line && !was_on_line;
         if (rolls) found.metres += points[i].s - points[i - 1].s;
         if (crosses) ++found.crossings;

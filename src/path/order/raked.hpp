@@ -31,16 +31,17 @@ class Raked {
     std::uint64_t state() const { return state_; }
 
   private:
-    enum Cell : std::uint8_t { untouched, line, area };
     struct Element {
         std::uint64_t share = 0;  ///< of the state
         std::vector<std::size_t> cells;
     };
-    Cell cell_at(Point at) const;
+    /// By cell: the element that raked it last, + 1.
+    using Layer = std::vector<int>;
+    bool is_on(const Layer& layer, Point at) const;
 
     const Robot& robot_;
     Raster raster_;
-    std::vector<Cell> cells_;
+    Layer lines_, areas_;
     std::map<int, Element> elements_;  ///< those that are being raked
     std::uint64_t state_ = 0;
 };

@@ -147,9 +147,13 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
              span.at, span.length});
     for (const order::Blemish& b : ordered.blemishes) {
         if (b.metres > 0)
-            plan.blemishes.push_back({"no way round finished areas found, metres", b.at, b.metres});
+            plan.blemishes.push_back({b.unfinished ? "rolls over what its own area has raked so far, metres"
+                                                   : "no way round finished areas found, metres",
+                                      b.at, b.metres});
         if (b.crossings > 0)
-            plan.blemishes.push_back({"crosses drawn lines, times", b.at, static_cast<double>(b.crossings)});
+            plan.blemishes.push_back(
+                {b.unfinished ? "crosses its own line, times" : "crosses drawn lines, times", b.at,
+                 static_cast<double>(b.crossings)});
     }
     for (const order::Connection& c : ordered.connections)
         plan.connections.push_back({c.from, c.to, c.turn_before, c.turn_after, c.curve});

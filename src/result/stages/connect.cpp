@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -78,11 +79,12 @@ struct Reader {
         const auto it = object.find("obstacles");
         if (it == object.end() || it->is_null()) return rings;
         const auto wrong = [&] {
-            return fail(place, "\"obstacles\" is not a list of rings", "write [[[x, y], ...], ...]");
+            return fail(place, "\"obstacles\" is not a list of rings",
+                        "write [[[x, y], ...], ...], three points or more a ring");
         };
         if (!it->is_array()) return wrong();
         for (const Json& ring : *it) {
-            if (!ring.is_array() || ring.empty()) return wrong();
+            if (!ring.is_array() || ring.size() < 3) return wrong();
             Polygon polygon;
             for (const Json& p : ring) {
                 if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) return wrong();
@@ -121,8 +123,11 @@ Outcome<Pair> pair_of(const Reader& in, const PairDefaults& defaults) {
         if (!*k) return tl::unexpected(k->error());
     for (const auto& [key, k] : {std::pair{"kappa0", *k0}, std::pair{"kappa1", *k1}})
         if (const double least = k > 0 ? r : *right; std::abs(k) * least > 1 + curvature_slack)
-            return fail(in.place, fmt::format("\"{}\" is {}, tighter than 1/R = {}", key, k, 1 / least),
-                        "ask for less curvature or a smaller R");
+            return fail(in.place,
+                        fmt::format("\"{}\" is {}, tighter than 1/{} = {}", key, k,
+                                    k < 0 && *right != r ? "R_right" : "R", 1 / least),
+                        fmt::format("ask for less curvature or a smaller {}",
+                                    k < 0 && *right != r ? "R_right" : "R"));
     if (*clearance < 0) return fail(in.place, "\"clearance\" is below 0", "write metres, 0 or more");
     auto obstacles = in.obstacles();
     if (!obstacles) return tl::unexpected(obstacles.error());
@@ -162,7 +167,14 @@ Outcome<Pair> read_pair(std::string_view line, int number, const PairDefaults& d
         return fail(place, "is not a JSON object",
                     "write {\"start\": [x, y, theta], \"end\": [x, y, theta]} on one line");
     auto pair = pair_of({object, place}, defaults);
-    if (pair) pair->source = line;
+    if (!pair) return pair;
+    pair->source = line;
+    // what write_curve wrote, read again, is no surprise
+    constexpr std::array<std::string_view, 15> known{
+        "start", "end",       "R",         "R_right", "sigma", "kappa0", "kappa1",  "through",
+        "id",    "obstacles", "clearance", "samples", "ok",    "reason", "fallback"};
+    for (const auto& item : object.items())
+        if (std::ranges::find(known, item.key()) == known.end()) pair->unknown.push_back(item.key());
     return pair;
 }
 

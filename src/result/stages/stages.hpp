@@ -61,6 +61,7 @@ struct Pair {
     std::vector<Polygon> obstacles;
     double clearance = 0;
     std::string source;
+    std::vector<std::string> unknown = {};  ///< keys that mean nothing here
 };
 /// Error.place holds the line number.
 Outcome<Pair> read_pair(std::string_view line, int number, const PairDefaults& defaults);
