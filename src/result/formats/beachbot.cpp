@@ -6,7 +6,7 @@
 #include "machine/pins/pins.hpp"
 #include "result/formats/formats.hpp"
 #include "result/formats/instants.hpp"
-#include "result/formats/json_text.hpp"
+#include "base/text/text.hpp"
 
 namespace strandline::formats {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/units/units.hpp"
 #include "result/formats/formats.hpp"
-#include "result/formats/json_text.hpp"
+#include "base/text/text.hpp"
 
 namespace strandline::formats {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "result/formats/formats.hpp"
-#include "result/formats/json_text.hpp"
+#include "base/text/text.hpp"
 #include "result/sketch/sketch.hpp"
 
 namespace strandline::formats {

@@ -3,7 +3,7 @@
 
 #include "machine/pins/pins.hpp"
 #include "result/formats/formats.hpp"
-#include "result/formats/json_text.hpp"
+#include "base/text/text.hpp"
 #include "result/formats/plan_schema.hpp"
 
 namespace strandline::formats {

@@ -3,7 +3,7 @@
 
 #include "result/formats/formats.hpp"
 #include "result/formats/instants.hpp"
-#include "result/formats/json_text.hpp"
+#include "base/text/text.hpp"
 #include "result/sketch/sketch.hpp"
 
 namespace strandline::formats {
