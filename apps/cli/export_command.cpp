@@ -30,22 +30,20 @@ Outcome<Written> picture_file(const char* suffix, Outcome<std::string> bytes) {
 std::vector<Format> make_table() {
     std::vector<Format> all = exports::table();
 #ifdef STRANDLINE_PICTURES
-    all.push_back({"pdf",
-                   "picture for paper: rake down black at true width, rake up red, to a round scale",
-                   {".pdf"},
-                   "application/pdf",
-                   false,
-                   [](const Plan& plan, const exports::Choice&) {
-                       return picture_file(".pdf", picture::pdf(plan));
-                   }});
-    all.push_back({"png",
-                   "picture: rake down black at true width, rake up red",
-                   {".png"},
-                   "image/png",
-                   false,
-                   [](const Plan& plan, const exports::Choice&) {
-                       return picture_file(".png", picture::png(plan));
-                   }});
+    all.push_back(
+        {"pdf",
+         "picture for paper: rake down black at true width, rake up red, to a round scale",
+         {".pdf"},
+         "application/pdf",
+         false,
+         [](const Plan& plan, const exports::Choice&) { return picture_file(".pdf", picture::pdf(plan)); }});
+    all.push_back(
+        {"png",
+         "picture: rake down black at true width, rake up red",
+         {".png"},
+         "image/png",
+         false,
+         [](const Plan& plan, const exports::Choice&) { return picture_file(".png", picture::png(plan)); }});
 #endif
     return all;
 }

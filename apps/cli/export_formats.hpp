@@ -1,5 +1,6 @@
 #pragma once
-// The table of what a plan can be exported to: `export` writes by it, `formats` lists it, the editor offers it.
+// The table of what a plan can be exported to: `export` writes by it, `formats` lists it, the editor offers
+// it.
 #include <vector>
 
 #include "result/exports/exports.hpp"

@@ -24,11 +24,11 @@ Outcome<geojson::Areas> areas_in(Wishes& wishes, const std::string& path) {
     const auto bytes = read_input(path);
     if (!bytes) return tl::unexpected(bytes.error());
     if (!wishes.options.site.known)
-        wishes.warnings.push_back({path, "no place on earth is set for the canvas: latitude 0, longitude 0 is "
-                                         "taken; set site.latitude, site.longitude and site.heading"});
+        wishes.warnings.push_back({path,
+                                   "no place on earth is set for the canvas: latitude 0, longitude 0 is "
+                                   "taken; set site.latitude, site.longitude and site.heading"});
     auto areas = geojson::read_areas(*bytes, path, wishes.options.site.at);
-    if (areas)
-        wishes.warnings.insert(wishes.warnings.end(), areas->warnings.begin(), areas->warnings.end());
+    if (areas) wishes.warnings.insert(wishes.warnings.end(), areas->warnings.begin(), areas->warnings.end());
     return areas;
 }
 

@@ -72,12 +72,12 @@ std::string json_text(const Located& found) {
 
 void print_residuals(const Located& found) {
     for (const PlacedMarker& placed : found.markers)
-        fmt::print(stderr, "{:<16} on the canvas at {:9.3f} {:9.3f} m{}{}\n", placed.marker.name, placed.at.x,
-                   placed.at.y,
-                   placed.off ? fmt::format(", {:.1f} cm off", centimetres * *placed.off) : "",
-                   placed.marker.radius > 0 ? fmt::format(", kept out of by {} m", placed.marker.radius)
-                                            : "");
-    fmt::print(stderr, "rms {:.1f} cm, at most {:.1f} cm; measured {:+.3f} % farther apart than on the canvas\n",
+        fmt::print(
+            stderr, "{:<16} on the canvas at {:9.3f} {:9.3f} m{}{}\n", placed.marker.name, placed.at.x,
+            placed.at.y, placed.off ? fmt::format(", {:.1f} cm off", centimetres * *placed.off) : "",
+            placed.marker.radius > 0 ? fmt::format(", kept out of by {} m", placed.marker.radius) : "");
+    fmt::print(stderr,
+               "rms {:.1f} cm, at most {:.1f} cm; measured {:+.3f} % farther apart than on the canvas\n",
                centimetres * found.rms, centimetres * found.largest, 100 * (found.scale - 1));
 }
 

@@ -155,7 +155,8 @@ void add_results(CLI::App& app, ExportArguments& e, LocateArguments& l, CheckArg
     located->add_option("--most", l.most, "exit 3 when a flag is farther off than this; default 10cm");
     located->add_option("--set", l.settings, "site.latitude=... and others that local metres count from")
         ->allow_extra_args(false);
-    located->footer(R"(x, y: where the flag stands on the canvas; empty for a pole that is only to be kept out of.
+    located->footer(
+        R"(x, y: where the flag stands on the canvas; empty for a pole that is only to be kept out of.
 Examples:
   strandline locate flags.csv -o site.toml
   strandline plan lion.svg --config site.toml -o lion.json)");

@@ -26,9 +26,10 @@ std::string name_of(const exports::Format& format, std::size_t file) {
 }
 
 std::vector<serve::Exporter> exporters() {
-    std::vector<serve::Exporter> list{
-        {"plan", "the plan itself: check, render and export read it", "_plan.json", "application/json",
-         [](const Plan& plan) { return serve::Exported{formats::write_plan(plan), {}}; }}};
+    std::vector<serve::Exporter> list{{"plan", "the plan itself: check, render and export read it",
+                                       "_plan.json", "application/json", [](const Plan& plan) {
+                                           return serve::Exported{formats::write_plan(plan), {}};
+                                       }}};
     for (const exports::Format& format : export_formats())
         for (std::size_t file = 0; file < format.suffixes.size(); ++file)
             list.push_back({name_of(format, file), format.what, format.suffixes[file], format.type,

@@ -233,7 +233,8 @@ Reply export_reply(const Exporter& exporter, const Standing& standing, const std
                 {{"Content-Disposition", fmt::format("attachment; filename=\"{}{}\"", id, exporter.suffix)}}};
     std::string said;
     for (const Warning& warning : exported->warnings) said += (said.empty() ? "" : " | ") + sentence(warning);
-    std::ranges::replace_if(said, [](char c) { return c < ' ' || c > '~'; }, '?');  // a header is one line
+    std::ranges::replace_if(
+        said, [](char c) { return c < ' ' || c > '~'; }, '?');  // a header is one line
     if (!said.empty()) reply.headers["Strandline-Warnings"] = said;
     return reply;
 }

@@ -9,8 +9,7 @@ using namespace testing;
 
 const std::string starfish = "'" STRANDLINE_SOURCE "/drawings/starfish.svg'";
 const Site beach{{47.3769, 8.5417}, 0, 0, 0, 20 * pi / 180};
-const std::string site =
-    " --set site.latitude=47.3769 --set site.longitude=8.5417 --set site.heading=20 ";
+const std::string site = " --set site.latitude=47.3769 --set site.longitude=8.5417 --set site.heading=20 ";
 
 /// The CSV's columns, cut where pins go down or up.
 std::vector<Track> planned(const std::string& csv, bool rake) {
@@ -49,7 +48,8 @@ double farthest(const Polyline& points, const std::vector<Track>& tracks, bool d
     }
     return most;
 }
-void expect_near(const std::vector<Track>& read, const std::vector<Track>& plan, bool down, double tolerance) {
+void expect_near(const std::vector<Track>& read, const std::vector<Track>& plan, bool down,
+                 double tolerance) {
     EXPECT_LT(farthest(joined(read, down), plan, down), tolerance);
     EXPECT_LT(farthest(joined(plan, down), read, down), tolerance);
 }
@@ -98,15 +98,16 @@ TEST(Export, AStarfishIsReadBackFromEveryFormat) {
     Polyline path;
     Site map = beach;  // metres of the map, turned back onto the canvas
     for (const Json& pose : read_yaml(exported("follow-path")).at(0).at("path").at("poses"))
-        path.push_back(from_local(map, {pose.at("pose").at("position").at("x"),
-                                        pose.at("pose").at("position").at("y")}));
+        path.push_back(from_local(
+            map, {pose.at("pose").at("position").at("x"), pose.at("pose").at("position").at("y")}));
     EXPECT_LT(farthest(path, {{true, joined(robot, true)}, {true, joined(robot, false)}}, true), 1e-3);
 }
 
 TEST(Export, TwiceIsTheSameBytesPdfToo) {
     const Folder folder;
-    write(folder / "in.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><path d='M1 1L8 8' "
-                             "stroke='black'/></svg>");
+    write(folder / "in.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><path d='M1 1L8 8' "
+          "stroke='black'/></svg>");
     ASSERT_EQ(run(folder, "-q plan in.svg -o plan.json").exit, 0);
     for (const std::string format : {"pdf", "geojson", "wpl", "thr", "gcode", "follow-path"}) {
         const Result once = run(folder, "-q export plan.json --format " + format),
@@ -189,10 +190,12 @@ TEST(Tools, ALayerOrAColourEachIsDrawnInOneGo) {
     for (int k = 0; k < 6; ++k)
         shapes += "<path d='M" + std::to_string(10 + 10 * k) + " 10v60' fill='none' stroke='" +
                   (k % 2 ? "red" : "black") + "'/>";
-    write(folder / "in.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'>" + shapes + "</svg>");
-    ASSERT_EQ(run(folder, "-q plan in.svg --robot plotter --canvas A5 --set drawing.tools=colour -o plan.json")
-                  .exit,
-              0);
+    write(folder / "in.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'>" + shapes + "</svg>");
+    ASSERT_EQ(
+        run(folder, "-q plan in.svg --robot plotter --canvas A5 --set drawing.tools=colour -o plan.json")
+            .exit,
+        0);
     const Result result = run(folder, "-q export plan.json --format gcode --set 'gcode.stop=T{tool} M6'");
     const Program program = read_gcode(result.out);
     EXPECT_EQ(std::ranges::count(program.others, "T2 M6"), 1);

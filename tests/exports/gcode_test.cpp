@@ -44,8 +44,9 @@ TEST(Gcode, TemplatesAndFeedAreTheUsers) {
     plan.options.gcode.down = "M3 S90 F{feed}";
     plan.options.gcode.feed = 1500;
     const std::string text = written(plan);
-    EXPECT_TRUE(text.starts_with("G21\n(two lines and a \"door\" <é>)\nM5\nG0 X2000.000 Y2000.000\nM3 S90 "
-                                 "F1500\nG1 X6000.000 Y2000.000 F1500\nM5\n"))
+    EXPECT_TRUE(
+        text.starts_with("G21\n(two lines and a \"door\" <é>)\nM5\nG0 X2000.000 Y2000.000\nM3 S90 "
+                         "F1500\nG1 X6000.000 Y2000.000 F1500\nM5\n"))
         << text.substr(0, 200);
 }
 

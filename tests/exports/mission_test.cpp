@@ -11,9 +11,8 @@ std::string text_of(const Outcome<exports::Written>& written) {
     return written ? written->files.at(0).bytes : "QGC WPL 110\n";
 }
 bool warns_of(const exports::Written& written, const std::string& words) {
-    return std::ranges::any_of(written.warnings, [&](const Warning& w) {
-        return sentence(w).find(words) != std::string::npos;
-    });
+    return std::ranges::any_of(
+        written.warnings, [&](const Warning& w) { return sentence(w).find(words) != std::string::npos; });
 }
 
 TEST(Wpl, ReadBackItIsTheDriveWithinTheDegreesAndSaysSo) {
@@ -57,7 +56,9 @@ TEST(Wpl, TheRakeMovesBehindTheWaypointAtWhichItMoves) {
     for (std::size_t k = 1; k < items.size(); ++k) {
         downs += items[k].command == 183 && items[k].parameters[1] == 1900;
         stops += items[k].command == 17;
-        if (items[k].command == 183) EXPECT_EQ(items[k].parameters[0], 9);
+        if (items[k].command == 183) {
+            EXPECT_EQ(items[k].parameters[0], 9);
+        }
     }
     EXPECT_EQ(downs, 4) << "one a stroke";
     EXPECT_EQ(stops, 1) << "where the tool changes";

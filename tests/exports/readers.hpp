@@ -81,9 +81,7 @@ inline std::vector<Json> read_yaml(const std::string& text) {
         file.path());
     return Json::parse(printed).get<std::vector<Json>>();
 }
-inline bool there_is_yaml() {
-    return std::system("/usr/bin/python3 -c 'import yaml' >/dev/null 2>&1") == 0;
-}
+inline bool there_is_yaml() { return std::system("/usr/bin/python3 -c 'import yaml' >/dev/null 2>&1") == 0; }
 
 /// One line of a QGC WPL 110, or an item of a .plan.
 struct MissionItem {
@@ -101,11 +99,11 @@ inline std::vector<MissionItem> read_wpl(const std::string& text) {
         EXPECT_EQ(std::count(lines[k].begin(), lines[k].end(), '\t'), 11) << lines[k];
         MissionItem i;
         int next = 0;
-        EXPECT_EQ(std::sscanf(lines[k].c_str(), "%d %d %d %d %lf %lf %lf %lf %lf %lf %lf %d", &i.index,
-                              &i.current, &i.frame, &i.command, &i.parameters[0], &i.parameters[1],
-                              &i.parameters[2], &i.parameters[3], &i.at.latitude, &i.at.longitude, &i.altitude,
-                              &next),
-                  12)
+        EXPECT_EQ(
+            std::sscanf(lines[k].c_str(), "%d %d %d %d %lf %lf %lf %lf %lf %lf %lf %d", &i.index, &i.current,
+                        &i.frame, &i.command, &i.parameters[0], &i.parameters[1], &i.parameters[2],
+                        &i.parameters[3], &i.at.latitude, &i.at.longitude, &i.altitude, &next),
+            12)
             << lines[k];
         EXPECT_EQ(i.index, static_cast<int>(k) - 1);
         EXPECT_EQ(i.current, k == 1 ? 1 : 0);

@@ -75,8 +75,8 @@ TEST(Beachbot, ReadBackThePairIsTheDrive) {
     const Plan plan = beach_plan();
     const auto written = format("beachbot").write(plan, {});
     ASSERT_TRUE(written);
-    const auto read = formats::read_beachbot(written->files[0].bytes, written->files[1].bytes, plan.robot,
-                                             "robot", "rake");
+    const auto read =
+        formats::read_beachbot(written->files[0].bytes, written->files[1].bytes, plan.robot, "robot", "rake");
     ASSERT_TRUE(read) << sentence(read.error());
     Plan same = plan;
     same.samples = *read;
@@ -93,15 +93,19 @@ TEST(Svg, ReadBackItsGroovesAreWhereTheRakeWas) {
     for (const std::string& line : lines_of(first_file("svg", plan))) {
         // centimetres, y down: the canvas, then one path a groove, its points after M and L
         double side = 0;
-        if (std::sscanf(line.c_str(), "<rect x=\"%lf\" y=\"%lf\" width=\"%lf\"", &corner.x, &corner.y, &side) == 3)
+        if (std::sscanf(line.c_str(), "<rect x=\"%lf\" y=\"%lf\" width=\"%lf\"", &corner.x, &corner.y,
+                        &side) == 3) {
             EXPECT_EQ(side, 1000);
+        }
         const auto at = line.find(" d=\"M");
         if (line.find("<path stroke-width=") == std::string::npos || at == std::string::npos) continue;
         std::string points = line.substr(at + 5, line.find('"', at + 5) - at - 5);
-        std::ranges::replace_if(points, [](char c) { return c == 'L' || c == ','; }, ' ');
+        std::ranges::replace_if(
+            points, [](char c) { return c == 'L' || c == ','; }, ' ');
         std::istringstream in(points);
         read.push_back({true, {}});
-        for (Point p; in >> p.x >> p.y;) read.back().points.push_back({(p.x - corner.x) / 100, 10 - (p.y - corner.y) / 100});
+        for (Point p; in >> p.x >> p.y;)
+            read.back().points.push_back({(p.x - corner.x) / 100, 10 - (p.y - corner.y) / 100});
     }
     expect_same(read, only_down(tracks_of(plan, true)), millimetre);
 }

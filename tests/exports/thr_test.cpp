@@ -55,7 +55,9 @@ TEST(Thr, ThetaRunsClockwiseFromTheTopAndNeverJumps) {
     for (const std::string& line : lines_of(written(plan))) {
         if (line.starts_with("#")) continue;
         const double theta = std::stod(line);
-        if (begun) EXPECT_LT(std::abs(theta - before), pi + 1e-6);
+        if (begun) {
+            EXPECT_LT(std::abs(theta - before), pi + 1e-6);
+        }
         before = theta;
         begun = true;
     }
@@ -86,8 +88,12 @@ TEST(Thr, TracksBeginAndEndAtTheRimOrTheMiddle) {
         for (const std::string& line : {lines[2], lines.back()}) {
             const double rho = std::stod(line.substr(line.find(' ')));
             EXPECT_TRUE(rho == 0 || rho == 1) << ends << ": " << line;
-            if (std::string(ends) == "rim") EXPECT_EQ(rho, 1);
-            if (std::string(ends) == "centre") EXPECT_EQ(rho, 0);
+            if (std::string(ends) == "rim") {
+                EXPECT_EQ(rho, 1);
+            }
+            if (std::string(ends) == "centre") {
+                EXPECT_EQ(rho, 0);
+            }
         }
         EXPECT_LT(distance(read_thr(written(plan))[1], joined(plan).front()), millimetre);
     }

@@ -26,10 +26,10 @@ std::string error_of(const std::string& text) {
 
 TEST(GeoJson, APolygonWithAHoleIsReadWhicheverWayItRuns) {
     for (const bool turned : {false, true}) {
-        const auto read = geojson::read_areas(
-            R"({"type": "Polygon", "coordinates": [)" + ring_of(turned ? reversed(square) : square) + ", " +
-                ring_of(turned ? reversed(hole) : hole) + "]}",
-            "fence.geojson", beach);
+        const auto read = geojson::read_areas(R"({"type": "Polygon", "coordinates": [)" +
+                                                  ring_of(turned ? reversed(square) : square) + ", " +
+                                                  ring_of(turned ? reversed(hole) : hole) + "]}",
+                                              "fence.geojson", beach);
         ASSERT_TRUE(read) << sentence(read.error());
         ASSERT_EQ(read->regions.size(), 1u);
         EXPECT_NEAR(area(read->regions[0]), 15.5, 1e-5);

@@ -137,7 +137,8 @@ TEST(Fit, WhatAllowsNoFitIsRefusedWithTheReason) {
 
 TEST(Markers, AreReadFromCsvWithUnits) {
     const auto read = read_markers(
-        "# beach\nname, y, x, latitude, longitude, radius, note\nsw,0,0,47.1,8.5,,wet\n\n,2m,50cm,47.2,8.6,30cm,\n"
+        "# beach\nname, y, x, latitude, longitude, radius, "
+        "note\nsw,0,0,47.1,8.5,,wet\n\n,2m,50cm,47.2,8.6,30cm,\n"
         "pole,,,47.3,8.7,0.5,\n",
         "flags.csv");
     ASSERT_TRUE(read) << sentence(read.error());

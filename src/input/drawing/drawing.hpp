@@ -85,7 +85,7 @@ struct DrawingOptions {
     /// a tool of its own for each layer or colour of what asks for none: the hint `tool`, counted from 1 in
     /// painting order
     enum class Tools { asked, by_layer, by_colour } tools = Tools::asked;
-    bool occlusion = true;               ///< false: every element is drawn, whatever lies over it
+    bool occlusion = true;  ///< false: every element is drawn, whatever lies over it
 };
 
 /// What was done to the file's shapes on the way.

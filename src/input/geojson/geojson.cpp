@@ -21,9 +21,8 @@ class Reader {
     Outcome<void> object(const Json& json, const std::string& place, double radius, int depth) {
         if (depth > deepest) return fail(place, "is nested too deeply", "give the areas themselves");
         if (!json.is_object()) return fail(place, "is no GeoJSON object", "it begins with {\"type\": ...");
-        const std::string type = json.contains("type") && json["type"].is_string()
-                                     ? json["type"].get<std::string>()
-                                     : "";
+        const std::string type =
+            json.contains("type") && json["type"].is_string() ? json["type"].get<std::string>() : "";
         if (json.contains("crs") && json["crs"].dump().find("CRS84") == std::string::npos)
             return fail(place + "/crs", "names a coordinate system; GeoJSON has degrees of WGS 84 alone",
                         "convert it: ogr2ogr -t_srs EPSG:4326 out.geojson in.geojson");
@@ -50,8 +49,8 @@ class Reader {
         if (!json.contains(members) || !json[members].is_array())
             return fail(place, fmt::format("has no {}", members));
         for (std::size_t k = 0; k < json[members].size(); ++k)
-            if (auto read = object(json[members][k], fmt::format("{}/{}/{}", place, members, k), radius,
-                                   depth + 1);
+            if (auto read =
+                    object(json[members][k], fmt::format("{}/{}/{}", place, members, k), radius, depth + 1);
                 !read)
                 return read;
         return {};
@@ -71,9 +70,9 @@ class Reader {
             areas_.regions.push_back({pole_outline(*at, radius), {}});
             return {};
         }
-        areas_.warnings.push_back({place, type + " bounds no area: passed over" +
-                                              (type == "Point" ? "; with a property radius it is a pole"
-                                                               : "")});
+        areas_.warnings.push_back(
+            {place, type + " bounds no area: passed over" +
+                        (type == "Point" ? "; with a property radius it is a pole" : "")});
         return {};
     }
 
@@ -133,8 +132,7 @@ Outcome<Areas> read_areas(std::string_view text, const std::string& place, const
     try {
         json = Json::parse(text);
     } catch (const Json::parse_error& error) {
-        return fail(place, fmt::format("is not JSON: stopped at byte {}", error.byte),
-                    "name a GeoJSON file");
+        return fail(place, fmt::format("is not JSON: stopped at byte {}", error.byte), "name a GeoJSON file");
     }
     Reader reader(site);
     if (auto read = reader.object(json, place, 0, 0); !read) return tl::unexpected(read.error());

@@ -24,9 +24,9 @@ Point mean(const std::vector<Pair>& pairs, Point Pair::*side) {
 /// Sums over both sides, counted from their means.
 struct Moments {
     Point canvas_mean, local_mean;
-    double canvas = 0, local = 0;    ///< of squared distances
-    double along = 0, across = 0;    ///< of dot and cross products
-    double mirrored = 0;             ///< what hypot(along, across) is when the canvas is mirrored
+    double canvas = 0, local = 0;  ///< of squared distances
+    double along = 0, across = 0;  ///< of dot and cross products
+    double mirrored = 0;           ///< what hypot(along, across) is when the canvas is mirrored
     double turned() const { return std::hypot(along, across); }
 };
 Moments moments_of(const std::vector<Pair>& pairs) {

@@ -17,8 +17,8 @@ struct Geographic {
     bool operator==(const Geographic&) const = default;
 };
 
-/// The canvas on the ground. Local metres count east (x) and north (y) from `place`, on the plane that touches
-/// the ground there; a robot's own map may be such metres as well.
+/// The canvas on the ground. Local metres count east (x) and north (y) from `place`, on the plane that
+/// touches the ground there; a robot's own map may be such metres as well.
 struct Site {
     Geographic place;
     double altitude = 0;  ///< metres of the ground above the ellipsoid (not above the sea)
@@ -56,7 +56,7 @@ Outcome<std::vector<Marker>> read_markers(const std::string& csv, const std::str
 /// A marker after the fit.
 struct PlacedMarker {
     Marker marker;
-    Point at;                    ///< where on the canvas it was measured
+    Point at;                   ///< where on the canvas it was measured
     std::optional<double> off;  ///< metres from where it should be; absent where that is unknown
 };
 struct Located {

@@ -38,10 +38,10 @@ struct Options {
         double tolerance = 0.002, join_tolerance = 0.005, min_length = 0.01;
         double simplify = 0, smooth = 0;  // metres; 0: lines stay as they are
         bool occlusion = true;
-        std::string layers;  // names, separated by ";"; empty: all
-        std::string rules;   // what rules_of() reads
+        std::string layers;           // names, separated by ";"; empty: all
+        std::string rules;            // what rules_of() reads
         std::string tools = "asked";  // asked | layer | colour
-        double dpi = 0;      // px to the inch in the SVG; 0: 96, or 90 in files of Inkscape before 0.92
+        double dpi = 0;  // px to the inch in the SVG; 0: 96, or 90 in files of Inkscape before 0.92
         bool operator==(const Draw&) const = default;
     } drawing;
     struct Ink {  // "ink.*"
@@ -123,7 +123,7 @@ struct Options {
         Site at;
         bool operator==(const Where&) const = default;
     } site;
-    struct Mission {  // "mission.*": of ArduPilot and QGroundControl
+    struct Mission {                                         // "mission.*": of ArduPilot and QGroundControl
         int items = 724, servo = 9, down = 1900, up = 1100;  // servo: microseconds
         double tolerance = 0.05;
         bool operator==(const Mission&) const = default;
@@ -134,8 +134,8 @@ struct Options {
         double feed = 0;  // mm/min; 0: the robot's speed
         bool operator==(const Gcode&) const = default;
     } gcode;
-    struct Table {                    // "thr.*": of sand tables
-        double radius = 0;            // 0: what holds everything drawn
+    struct Table {                     // "thr.*": of sand tables
+        double radius = 0;             // 0: what holds everything drawn
         std::string ends = "nearest";  // nearest | rim | centre | drawn
         bool operator==(const Table&) const = default;
     } thr;

@@ -184,7 +184,8 @@ std::vector<Setting> make_table() {
          "",
          [](Options& o) -> Field { return &o.drawing.rules; }},
         {"drawing.tools",
-         "what has no tool asked for is drawn with a tool of its own for each layer, or for each colour; asked: "
+         "what has no tool asked for is drawn with a tool of its own for each layer, or for each colour; "
+         "asked: "
          "all with tool 1",
          Kind::choice,
          0,

@@ -138,8 +138,7 @@ Polyline track_of(const Plan& plan, const Span& span) {
 Outcome<Written> gcode(const Plan& plan) {
     constexpr double mm_per_min = 60'000;  // a metre a second
     const Options::Gcode& o = plan.options.gcode;
-    const std::string feed =
-        number_text(o.feed > 0 ? o.feed : std::round(mm_per_min * plan.robot.speed));
+    const std::string feed = number_text(o.feed > 0 ? o.feed : std::round(mm_per_min * plan.robot.speed));
     auto templates = templates_of(plan, feed);
     if (!templates) return tl::unexpected(templates.error());
     Program program(*templates);

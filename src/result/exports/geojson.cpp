@@ -6,8 +6,8 @@
 namespace strandline::exports {
 namespace {
 
-constexpr int degree_decimals = 9;      // 0.1 mm
-constexpr double thinned_by = 0.0002;   // m: points of lines that straight lines show as well
+constexpr int degree_decimals = 9;     // 0.1 mm
+constexpr double thinned_by = 0.0002;  // m: points of lines that straight lines show as well
 constexpr int metre_decimals = 3, second_decimals = 3;
 
 class Collection {

@@ -125,10 +125,10 @@ void warn_of_pins(const Plan& plan, Warnings& warnings) {
         if (pins_down(mask) != plan.robot.pins) some += moved;
     }
     if (some > 0)
-        warnings.push_back({"mission",
-                            fmt::format("one servo lifts all {} pins, and {:.1f} of {:.1f} m are to be raked "
-                                        "with some of them",
-                                        plan.robot.pins, some, all)});
+        warnings.push_back(
+            {"mission", fmt::format("one servo lifts all {} pins, and {:.1f} of {:.1f} m are to be raked "
+                                    "with some of them",
+                                    plan.robot.pins, some, all)});
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ void add_item(Text& text, const Item& item, std::size_t number) {
 
 void add_fence(Text& text, const Site& site, const Polygon& outline, bool inclusion, bool first) {
     add(text, first ? "\n" : ",\n");
-    add(text, inclusion ? "   {\"inclusion\": true, \"polygon\": ["
-                        : "   {\"inclusion\": false, \"polygon\": [");
+    add(text,
+        inclusion ? "   {\"inclusion\": true, \"polygon\": [" : "   {\"inclusion\": false, \"polygon\": [");
     for (std::size_t k = 0; k < outline.size(); ++k) {
         add(text, k > 0 ? ", [" : "[");
         add_place(text, to_geographic(site, outline[k]));

@@ -20,9 +20,8 @@ std::vector<std::size_t> stop_samples(const Plan& plan, const std::vector<Sample
     std::vector<std::size_t> places;
     for (const Stop& stop : plan.stops) {
         const auto at = std::ranges::lower_bound(samples, stop.time, {}, &Sample::t);
-        places.push_back(
-            std::min<std::size_t>(static_cast<std::size_t>(at - samples.begin()),
-                                  samples.empty() ? 0 : samples.size() - 1));
+        places.push_back(std::min<std::size_t>(static_cast<std::size_t>(at - samples.begin()),
+                                               samples.empty() ? 0 : samples.size() - 1));
     }
     return places;
 }

@@ -1,6 +1,6 @@
-// .thr for sand tables: lines "theta rho", radians clockwise from the top without wrapping, rho 0 (centre) to 1
-// (rim). The ball never lifts, and between two lines it runs along an Archimedean spiral, so straight lines are
-// cut until spirals stay on them.
+// .thr for sand tables: lines "theta rho", radians clockwise from the top without wrapping, rho 0 (centre) to
+// 1 (rim). The ball never lifts, and between two lines it runs along an Archimedean spiral, so straight lines
+// are cut until spirals stay on them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,8 +49,7 @@ class Track {
             polar_.theta += wrap_angle(std::atan2(to.x, to.y) - polar_.theta);
             line(polar_);
         }
-        const double turn =
-            length(to) > at_centre ? wrap_angle(std::atan2(to.x, to.y) - polar_.theta) : 0;
+        const double turn = length(to) > at_centre ? wrap_angle(std::atan2(to.x, to.y) - polar_.theta) : 0;
         const Polar end{polar_.theta + turn, length(to)};
         constexpr int deepest = 40;
         if (depth < deepest && leaves(to, end)) {
@@ -104,7 +103,8 @@ void come_or_go(Track& track, const std::string& ends, double rho) {
 
 std::string header(const Plan& plan, Point middle, double radius) {
     std::string title = plan.title;
-    std::ranges::replace_if(title, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+    std::ranges::replace_if(
+        title, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
     return fmt::format("# {}\n# rho 1 is {:.6f} m from {:.6f} {:.6f} on the canvas\n", title, radius,
                        middle.x, middle.y);
 }
@@ -120,10 +120,11 @@ Outcome<Written> thr(const Plan& plan) {
     if (!(reach > 0)) return fail("thr", "nothing is drawn", "plan a drawing first");
     const double radius = plan.options.thr.radius > 0 ? plan.options.thr.radius : reach;
     if (reach > radius * (1 + 1e-9))
-        return fail("thr.radius",
-                    fmt::format("{:.3f} m is too little: the drawing reaches {:.3f} m from the canvas's middle",
-                                radius, reach),
-                    "use that, or 0 for what holds all of it");
+        return fail(
+            "thr.radius",
+            fmt::format("{:.3f} m is too little: the drawing reaches {:.3f} m from the canvas's middle",
+                        radius, reach),
+            "use that, or 0 for what holds all of it");
     const std::string& ends = plan.options.thr.ends;
     Track track(header(plan, middle, radius));
     bool begun = false;

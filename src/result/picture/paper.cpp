@@ -28,8 +28,7 @@ Outcome<std::string> Paper::pdf() {
     cairo_surface_finish(surface_.get());
     const cairo_status_t page = cairo_status(cairo_.get()), file = cairo_surface_status(surface_.get());
     if (page != CAIRO_STATUS_SUCCESS || file != CAIRO_STATUS_SUCCESS)
-        return fail("picture",
-                    cairo_status_to_string(page != CAIRO_STATUS_SUCCESS ? page : file),
+        return fail("picture", cairo_status_to_string(page != CAIRO_STATUS_SUCCESS ? page : file),
                     "make the picture smaller");
     return std::move(*bytes_);
 }
