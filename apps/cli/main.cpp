@@ -140,7 +140,7 @@ void add_results(CLI::App& app, ExportArguments& e, LocateArguments& l, CheckArg
     exported->footer(R"(Examples:
   strandline export lion.json --format beachbot -o lion.txt
   strandline export lion.json --format geojson --config site.toml -o lion.geojson
-  strandline export lion.json --format wpl --set site.latitude=47.37 --set site.longitude=8.55 -o lion.waypoints)");
+  strandline export lion.json --format wpl --config site.toml --set mission.servo=5 -o lion.waypoints)");
     exported->callback([&] { chosen = [&] { return export_plan(e, common); }; });
     CLI::App* list = app.add_subcommand("formats", "lists the export formats");
     list->footer("With --json: [{\"name\", \"what\"}, ...]");

@@ -67,7 +67,8 @@ TEST(Export, AStarfishIsReadBackFromEveryFormat) {
     const auto rake = planned(csv, true), robot = planned(csv, false);
 
     std::vector<Track> lines;
-    for (const Json& feature : Json::parse(exported("geojson")).at("features")) {
+    const Json map = Json::parse(exported("geojson"));
+    for (const Json& feature : map.at("features")) {
         const Json& geometry = feature.at("geometry");
         if (geometry.at("type") != "LineString") continue;
         const std::string what = feature.at("properties").at("what");
@@ -95,11 +96,11 @@ TEST(Export, AStarfishIsReadBackFromEveryFormat) {
     const Polyline ball = read_thr(exported("thr"));
     EXPECT_LT(farthest(joined(rake, true), {{true, ball}}, true), 1e-3) << "all that is raked is drawn";
     if (!there_is_yaml()) GTEST_SKIP() << "python3-yaml is not at hand";
-    Polyline path;
-    Site map = beach;  // metres of the map, turned back onto the canvas
-    for (const Json& pose : read_yaml(exported("follow-path")).at(0).at("path").at("poses"))
+    Polyline path;  // metres of the robot's map, turned back onto the canvas
+    const auto goals = read_yaml(exported("follow-path"));
+    for (const Json& pose : goals.at(0).at("path").at("poses"))
         path.push_back(from_local(
-            map, {pose.at("pose").at("position").at("x"), pose.at("pose").at("position").at("y")}));
+            beach, {pose.at("pose").at("position").at("x"), pose.at("pose").at("position").at("y")}));
     EXPECT_LT(farthest(path, {{true, joined(robot, true)}, {true, joined(robot, false)}}, true), 1e-3);
 }
 

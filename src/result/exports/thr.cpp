@@ -13,10 +13,11 @@ namespace strandline::exports {
 namespace {
 
 constexpr int decimals = 6;
-constexpr double tolerance = 5e-5;   // of the radius: 20 um on a table of 40 cm
-constexpr double thinned_by = 2e-5;  // of the radius
-constexpr double at_centre = 1e-9;   // of the radius: no direction there
-constexpr double widest_turn = 0.5;  // radians between lines
+constexpr double by_spirals = 5e-5;    // of the radius: 20 um on a table of 40 cm
+constexpr double by_spirals_m = 5e-4;  // m on the canvas, at most
+constexpr double by_thinning = 0.4;    // of both
+constexpr double at_centre = 1e-9;     // of the radius: no direction there
+constexpr double widest_turn = 0.5;    // radians between lines
 
 struct Polar {
     double theta = 0, rho = 0;
@@ -26,7 +27,8 @@ Point point_of(Polar at) { return at.rho * Point{std::sin(at.theta), std::cos(at
 
 class Track {
   public:
-    explicit Track(std::string header) : text_(std::move(header)) {}
+    /// tolerance: of the radius.
+    Track(std::string header, double tolerance) : text_(std::move(header)), tolerance_(tolerance) {}
 
     void begin(Point at) {
         at_ = at;
@@ -64,11 +66,11 @@ class Track {
     }
     /// Whether the spiral to `end` leaves the straight line.
     bool leaves(Point to, Polar end) const {
-        if (std::max(polar_.rho, end.rho) > tolerance && std::abs(end.theta - polar_.theta) > widest_turn)
+        if (std::max(polar_.rho, end.rho) > tolerance_ && std::abs(end.theta - polar_.theta) > widest_turn)
             return true;
         for (const double t : {0.25, 0.5, 0.75}) {
             const Polar middle{std::lerp(polar_.theta, end.theta, t), std::lerp(polar_.rho, end.rho, t)};
-            if (distance_to_segment(point_of(middle), at_, to) > tolerance) return true;
+            if (distance_to_segment(point_of(middle), at_, to) > tolerance_) return true;
         }
         return false;
     }
@@ -80,6 +82,7 @@ class Track {
     }
 
     Text text_;
+    double tolerance_;
     Point at_;
     Polar polar_;
 };
@@ -126,10 +129,11 @@ Outcome<Written> thr(const Plan& plan) {
                         radius, reach),
             "use that, or 0 for what holds all of it");
     const std::string& ends = plan.options.thr.ends;
-    Track track(header(plan, middle, radius));
+    const double tolerance = std::min(by_spirals, by_spirals_m / radius);
+    Track track(header(plan, middle, radius), tolerance);
     bool begun = false;
     for (const Polyline& line : lines)
-        for (const std::size_t i : thinned(line, thinned_by * radius)) {
+        for (const std::size_t i : thinned(line, by_thinning * tolerance * radius)) {
             const Point at = (1 / radius) * line[i];
             if (begun) {
                 track.go_to(at);
