@@ -43,7 +43,7 @@ bool straight_within(const Drive& drive, std::size_t from, std::size_t to, doubl
 }
 
 /// The samples that are left as waypoints: from each the farthest one that a straight line reaches within the
-/// tolerance, found by doubling steps, then halving. A quarter fewer than halving at the farthest point
+/// tolerance, found by doubling steps, then halving. A fifth fewer than halving at the farthest point
 /// (Douglas and Peucker) leaves on curves. O(n log n).
 std::vector<std::size_t> kept(const Drive& drive, double tolerance) {
     std::vector<std::size_t> list{0};
