@@ -17,11 +17,16 @@ struct Wishes {
     std::vector<std::pair<std::string, std::string>> robot_fields;  ///< robot.FIELD=value, in order
     Options options;
     std::vector<Edit> edits;
+    Warnings warnings;
 };
 /// Settings file: tables as in `strandline settings` ([fill] spacing = "36cm"); robot = "NAME", or [robot]
 /// with base = "NAME" and FIELD = value; edits as lists of texts: link = ["a:0=b:-1"], entry = [...],
 /// direction = [...]. Errors name the key and the line.
 Outcome<void> read_settings_file(Wishes& wishes, const std::string& path);
+/// --border and --keep-out: outlines as text, or files of GeoJSON (names that end in .geojson or .json),
+/// which need the site. Keep-outs come to those of settings files.
+Outcome<void> set_fences(Wishes& wishes, const std::string& border,
+                         const std::vector<std::string>& keep_outs);
 Outcome<void> set_from_text(Wishes& wishes, const std::string& key_and_value);
 Outcome<Edit> parse_link(const std::string& text);
 Outcome<Edit> parse_entry(const std::string& text);

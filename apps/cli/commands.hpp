@@ -37,8 +37,9 @@ int text(const TextArguments& arguments, const Common& common);
 
 struct PlanArguments {
     LetteringArguments lettering;  ///< of --text, in the place of a drawing
-    std::string input, output = "-", robot, config, canvas, place, margin, dpi, start, end;
+    std::string input, output = "-", robot, canvas, place, margin, dpi, start, end;
     std::string border, park, exit;
+    std::vector<std::string> configs;  ///< settings files, later ones over earlier ones
     std::vector<std::string> keep_outs;
     std::vector<std::string> settings;    ///< key=value, also robot.field=value
     std::vector<std::string> links;       ///< A:V=B:W
@@ -54,9 +55,16 @@ int plan(const PlanArguments& arguments, const Common& common);
 
 struct ExportArguments {
     std::string input, output = "-", format, path = "rake";
+    std::vector<std::string> configs, settings;  ///< files; key=value
 };
 int export_plan(const ExportArguments& arguments, const Common& common);
 int list_formats(const Common& common);
+
+struct LocateArguments {
+    std::string input, output = "-", most;
+    std::vector<std::string> settings;  ///< site.*=value: what local metres count from
+};
+int locate(const LocateArguments& arguments, const Common& common);
 
 struct CheckArguments {
     std::string input;

@@ -52,11 +52,11 @@ void print_setting(const Setting& setting, const Options& defaults) {
 
 int list_formats(const Common& common) {
     std::vector<std::string> items;
-    for (const ExportFormat& format : export_formats()) {
+    for (const exports::Format& format : export_formats()) {
         if (common.json)
             items.push_back(Json{{"name", format.name}, {"what", format.what}}.dump());
         else
-            fmt::print("{:<10} {}\n", format.name, format.what);
+            fmt::print("{:<12} {}\n", format.name, format.what);
     }
     if (common.json) print_list(items);
     return done;

@@ -71,7 +71,8 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->add_option("-o,--output", a.output, "plan file (JSON), or - for stdout")->capture_default_str();
     plan->add_option("--robot", a.robot,
                      "beachbot, plotter, turf, diffdrive, or a profile file (.toml); default beachbot");
-    plan->add_option("--config", a.config, "settings file (.toml)");
+    plan->add_option("--config", a.configs, "settings file (.toml); may be repeated, later ones win")
+        ->allow_extra_args(false);
     plan->add_option("--set", a.settings,
                      "key=value; keys: strandline settings. robot.FIELD=value changes the robot");
     plan->add_option("--canvas", a.canvas,
@@ -94,9 +95,10 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->add_option("--park", a.park, "X,Y,HEADING: the robot is parked there, and the drive begins there");
     plan->add_option("--exit", a.exit, "parked | outside | X,Y,HEADING: where the drive ends");
     plan->add_option("--border", a.border,
-                     "\"X,Y X,Y X,Y\": where the robot may drive; default: the canvas and canvas.run_out");
+                     "\"X,Y X,Y X,Y\" or a .geojson file: where the robot may drive; default: the canvas and "
+                     "canvas.run_out");
     plan->add_option("--keep-out", a.keep_outs,
-                     "\"X,Y X,Y X,Y\": where the robot must not go; may be repeated");
+                     "\"X,Y X,Y X,Y\" or a .geojson file: where the robot must not go; may be repeated");
     plan->add_option("--link", a.links, "A:V=B:W: drive from node V of element A to node W of element B");
     plan->add_option("--entry", a.entries, "A:V: enter element A at its node V (-1: its last)");
     plan->add_option("--direction", a.directions, "A=forward|backward for lines, A=ccw|cw for closed ones");
@@ -120,9 +122,9 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->callback([&] { chosen = [&] { return cli::plan(a, common); }; });
 }
 
-void add_results(CLI::App& app, ExportArguments& e, CheckArguments& c, RenderArguments& r,
+void add_results(CLI::App& app, ExportArguments& e, LocateArguments& l, CheckArguments& c, RenderArguments& r,
                  const Common& common, std::function<int()>& chosen) {
-    CLI::App* exported = app.add_subcommand("export", "plan -> robot text and other formats");
+    CLI::App* exported = app.add_subcommand("export", "plan -> what robots, maps and other programs read");
     exported->add_option("input", e.input, "plan file, or -")->required();
     exported->add_option("--format", e.format, "see strandline formats")->required();
     exported
@@ -132,11 +134,36 @@ void add_results(CLI::App& app, ExportArguments& e, CheckArguments& c, RenderArg
     exported->add_option("--path", e.path, "rake or robot, for trace")
         ->check(CLI::IsMember({"rake", "robot"}))
         ->capture_default_str();
-    exported->footer("Example:\n  strandline export lion.json --format beachbot -o lion.txt");
+    exported
+        ->add_option("--set", e.settings,
+                     "key=value, over the plan's own; keys: site.*, mission.*, gcode.*, thr.*, nav.*")
+        ->allow_extra_args(false);
+    exported->add_option("--config", e.configs, "settings file (.toml), of which the same groups are read")
+        ->allow_extra_args(false);
+    exported->footer(R"(Examples:
+  strandline export lion.json --format beachbot -o lion.txt
+  strandline export lion.json --format geojson --config site.toml -o lion.geojson
+  strandline export lion.json --format wpl --config site.toml --set mission.servo=5 -o lion.waypoints)");
     exported->callback([&] { chosen = [&] { return export_plan(e, common); }; });
     CLI::App* list = app.add_subcommand("formats", "lists the export formats");
     list->footer("With --json: [{\"name\", \"what\"}, ...]");
     list->callback([&] { chosen = [&] { return list_formats(common); }; });
+
+    CLI::App* located = app.add_subcommand(
+        "locate", "measured flags -> where on earth the canvas lies, and what poles to keep out of");
+    located->add_option("input", l.input, "CSV: name,x,y,latitude,longitude,radius (or east,north), or -")
+        ->required();
+    located->add_option("-o,--output", l.output, "settings file for plan and export, or - for stdout")
+        ->capture_default_str();
+    located->add_option("--most", l.most, "exit 3 when a flag is farther off than this; default 10cm");
+    located->add_option("--set", l.settings, "site.latitude=... and others that local metres count from")
+        ->allow_extra_args(false);
+    located->footer(
+        R"(x, y: where the flag stands on the canvas; empty for a pole that is only to be kept out of.
+Examples:
+  strandline locate flags.csv -o site.toml
+  strandline plan lion.svg --config site.toml -o lion.json)");
+    located->callback([&] { chosen = [&] { return locate(l, common); }; });
 
     CLI::App* check = app.add_subcommand("check", "proves a plan from its file alone");
     check->add_option("input", c.input, "plan file, or -")->required();
@@ -147,7 +174,7 @@ void add_results(CLI::App& app, ExportArguments& e, CheckArguments& c, RenderArg
 
     CLI::App* render = app.add_subcommand("render", "plan -> picture");
     render->add_option("input", r.input, "plan file, or -")->required();
-    render->add_option("-o,--output", r.output, "picture.svg or picture.png")->required();
+    render->add_option("-o,--output", r.output, "picture.svg, picture.png or picture.pdf")->required();
     render->add_option("--pixels", r.pixels, "longer side of a PNG")
         ->check(CLI::Range(64, 16000))
         ->capture_default_str();
@@ -219,6 +246,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     TextArguments text;
     TraceArguments trace;
     ExportArguments exported;
+    LocateArguments located;
     CheckArguments check;
     RenderArguments render;
     SimulateArguments simulate;
@@ -232,7 +260,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     add_plan(app, plan, common, chosen);
     add_text(app, text, common, chosen);
     add_trace(app, trace, common, chosen);
-    add_results(app, exported, check, render, common, chosen);
+    add_results(app, exported, located, check, render, common, chosen);
     add_sand(app, simulate, resume, split, common, chosen);
     CLI::App* settings = app.add_subcommand("settings", "lists everything that can be set");
     settings->footer(

@@ -187,6 +187,7 @@ int plan(const PlanArguments& arguments, const Common& common) {
         if (const auto done = write_parts(*made, limit, arguments.output, common.quiet); !done)
             return complain(done.error(), bad_input);
 
+    warn(wishes->warnings, common.quiet);
     warn(made->warnings, common.quiet);
     for (const std::string& idle : made->idle_edits)
         if (!common.quiet) fmt::print(stderr, "warning: {}\n", idle);

@@ -12,34 +12,33 @@
 #include "fonts.hpp"
 #include "result/formats/formats.hpp"
 #include "server/server.hpp"
-#ifdef STRANDLINE_PICTURES
-#include "result/picture/picture.hpp"
-#endif
 
 namespace strandline::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// A format of several files is offered file by file: "beachbot-robot" is the one that ends in _robot.txt.
+std::string name_of(const exports::Format& format, std::size_t file) {
+    if (format.suffixes.size() == 1) return format.name;
+    const std::string& suffix = format.suffixes[file];
+    return format.name + "-" + suffix.substr(1, suffix.rfind('.') - 1);
+}
+
 std::vector<serve::Exporter> exporters() {
-    std::vector<serve::Exporter> list{
-        {"plan", "the plan itself: check, render and export read it", "_plan.json", "application/json",
-         [](const Plan& plan) { return formats::write_plan(plan); }},
-        {"beachbot-robot", "the robot's path for the BeachBot: x y mask, a line an instant", "_robot.txt",
-         "text/plain", [](const Plan& plan) { return formats::write_beachbot(plan).robot; }},
-        {"beachbot-rake", "the rake's path for the BeachBot, line by line with the robot's", "_rake.txt",
-         "text/plain", [](const Plan& plan) { return formats::write_beachbot(plan).rake; }}};
-    for (const ExportFormat& format : export_formats()) {
-        if (!format.write) continue;  // the pair of files above
-        const std::string extension = format.name == "trace" ? "_trace.json" : "." + format.name;
-        const char* type = format.name == "svg" ? "image/svg+xml" : "text/plain";
-        list.push_back({format.name, format.what, extension, type,
-                        [write = format.write](const Plan& plan) { return write(plan, {}); }});
-    }
-#ifdef STRANDLINE_PICTURES
-    list.push_back({"png", "picture: rake down black at true width, rake up red", ".png", "image/png",
-                    [](const Plan& plan) { return picture::png(plan); }});
-#endif
+    std::vector<serve::Exporter> list{{"plan", "the plan itself: check, render and export read it",
+                                       "_plan.json", "application/json", [](const Plan& plan) {
+                                           return serve::Exported{formats::write_plan(plan), {}};
+                                       }}};
+    for (const exports::Format& format : export_formats())
+        for (std::size_t file = 0; file < format.suffixes.size(); ++file)
+            list.push_back({name_of(format, file), format.what, format.suffixes[file], format.type,
+                            [write = format.write, file](const Plan& plan) -> Outcome<serve::Exported> {
+                                auto written = write(plan, {});
+                                if (!written) return tl::unexpected(written.error());
+                                return serve::Exported{std::move(written->files[file].bytes),
+                                                       std::move(written->warnings)};
+                            }});
     return list;
 }
 

@@ -13,7 +13,8 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
     Wishes wishes;
     wishes.options = defaults;
     Outcome<void> done;
-    if (!a.config.empty()) done = read_settings_file(wishes, a.config);
+    for (const std::string& config : a.configs)
+        if (done) done = read_settings_file(wishes, config);
     if (!a.robot.empty()) wishes.robot = a.robot;
     if (done && !a.canvas.empty()) done = set_canvas(wishes.options, a.canvas);
     // Who says how high letters are wants them so.
@@ -32,15 +33,13 @@ Outcome<Wishes> gathered(const PlanArguments& a, const Options& defaults) {
     if (done && !a.occlusion.empty()) done = set(wishes.options, "drawing.occlusion", a.occlusion);
     if (done && a.invert) done = set(wishes.options, "ink.invert", "on");
     if (done && !a.dpi.empty()) done = set(wishes.options, "drawing.dpi", a.dpi);
-    if (done && !a.border.empty()) done = set(wishes.options, "field.border", a.border);
-    if (done && !a.keep_outs.empty())
-        done = set(wishes.options, "field.keep_out", fmt::format("{}", fmt::join(a.keep_outs, "; ")));
     if (done && !a.park.empty()) done = set_pose(wishes.options, "park.", "--park", a.park);
     if (done && !a.exit.empty()) done = set_exit(wishes.options, a.exit);
     if (done && !a.start.empty()) done = set_drive_end(wishes.options, "start", a.start);
     if (done && !a.end.empty()) done = set_drive_end(wishes.options, "end", a.end);
     for (const std::string& text : a.settings)
         if (done) done = set_from_text(wishes, text);
+    if (done) done = set_fences(wishes, a.border, a.keep_outs);
     const auto add_edits = [&](const std::vector<std::string>& texts, auto parse) {
         for (const std::string& text : texts) {
             if (!done) return;

@@ -225,12 +225,18 @@ Reply export_reply(const Exporter& exporter, const Standing& standing, const std
     if (standing.failure) return refusal(422, *standing.failure);
     if (standing.planning || !standing.planned)
         return refusal(409, {"plan", "is still being made", "wait a moment, then export it again"});
-    const auto bytes = exporter.write(*standing.planned->plan);
-    if (!bytes) return refusal(422, bytes.error());
-    return {200,
-            exporter.type,
-            *bytes,
-            {{"Content-Disposition", fmt::format("attachment; filename=\"{}{}\"", id, exporter.suffix)}}};
+    const auto exported = exporter.write(*standing.planned->plan);
+    if (!exported) return refusal(422, exported.error());
+    Reply reply{200,
+                exporter.type,
+                exported->bytes,
+                {{"Content-Disposition", fmt::format("attachment; filename=\"{}{}\"", id, exporter.suffix)}}};
+    std::string said;
+    for (const Warning& warning : exported->warnings) said += (said.empty() ? "" : " | ") + sentence(warning);
+    std::ranges::replace_if(
+        said, [](char c) { return c < ' ' || c > '~'; }, '?');  // a header is one line
+    if (!said.empty()) reply.headers["Strandline-Warnings"] = said;
+    return reply;
 }
 
 }  // namespace strandline::serve

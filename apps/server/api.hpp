@@ -13,12 +13,16 @@
 
 namespace strandline::serve {
 
+struct Exported {
+    std::string bytes;
+    Warnings warnings;
+};
 /// A form in which a plan can be taken away.
 struct Exporter {
     std::string name, what;
     std::string suffix;  ///< behind the project's id: "_robot.txt"
     std::string type;    ///< "text/plain"
-    std::function<Outcome<std::string>(const Plan&)> write;
+    std::function<Outcome<Exported>(const Plan&)> write;
 };
 struct Lettering {
     std::string text, font = "rowmans", align = "left";

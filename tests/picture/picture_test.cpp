@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 
@@ -65,6 +67,49 @@ TEST(Picture, APlanWithoutSamplesOrWithNumbersThatAreNotFiniteIsStillPainted) {
     EXPECT_TRUE(picture::png(plan, {.pixels = 100}));
     plan.samples.clear();
     EXPECT_TRUE(picture::png(plan, {.pixels = 100}));
+}
+
+TEST(Paper, IsTheSameBytesEveryTimeAndNamesItsScale) {
+    const auto once = picture::pdf(sample_plan()), again = picture::pdf(sample_plan());
+    ASSERT_TRUE(once && again);
+    EXPECT_EQ(*once, *again);
+    EXPECT_TRUE(once->starts_with("%PDF-1."));
+    Plan plan = sample_plan();
+    plan.drawing.canvas = {0, 0};
+    plan.samples.clear();
+    EXPECT_FALSE(picture::pdf(plan));
+}
+
+TEST(Paper, ReadBackByAnotherReaderAGrooveIsWhereTheRakeWas) {
+    if (std::system("command -v pdftocairo >/dev/null 2>&1") != 0)
+        GTEST_SKIP() << "pdftocairo (poppler-utils) is not at hand";
+    const std::string file = std::string(::testing::TempDir()) + "strandline-paper.pdf";
+    std::ofstream(file, std::ios::binary) << picture::pdf(sample_plan()).value();
+    std::string text;
+    FILE* pipe = popen(("pdftocairo -svg '" + file + "' -").c_str(), "r");
+    char buffer[4096];
+    while (pipe && std::fgets(buffer, sizeof buffer, pipe)) text += buffer;
+    EXPECT_EQ(pipe ? pclose(pipe) : -1, 0);
+    std::remove(file.c_str());
+    // The canvas is the first rectangle with a line round it, 10 m wide; the first dark line is stroke 0.
+    const auto path = [&](const std::string& colour) {
+        const auto at = text.find("stroke:rgb(" + colour);
+        return at == std::string::npos ? "" : text.substr(text.find(" d=\"M", at) + 5, 4000);
+    };
+    double left = 0, y = 0, right = 0;
+    ASSERT_EQ(std::sscanf(path("69.99").c_str(), " %lf %lf L %lf", &left, &y, &right), 3);
+    double low = 0;
+    ASSERT_EQ(std::sscanf(path("69.99").substr(path("69.99").find('L', 30)).c_str(), "L %*f %lf", &low), 1);
+    const double bottom = std::max(y, low), metre = (right - left) / 10;
+    std::string groove = path("12.99");
+    groove = groove.substr(0, groove.find('"'));
+    double x = 0, depth = 0;
+    ASSERT_EQ(std::sscanf(groove.c_str(), " %lf %lf", &x, &depth), 2);
+    EXPECT_NEAR((x - left) / metre, 2, 1e-3);
+    EXPECT_NEAR((bottom - depth) / metre, 2, 1e-3);
+    ASSERT_EQ(std::sscanf(groove.substr(groove.rfind('L')).c_str(), "L %lf %lf", &x, &depth), 2);
+    EXPECT_NEAR((x - left) / metre, 6, 1e-3);
+    EXPECT_NEAR((bottom - depth) / metre, 2, 1e-3);
 }
 
 }  // namespace

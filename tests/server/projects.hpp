@@ -32,7 +32,9 @@ inline const std::string small_drawing =
 inline Setup small_setup() {
     Setup setup{"strandline test",
                 {{"plan", "the plan", "_plan.json", "application/json",
-                  [](const Plan& plan) -> Outcome<std::string> { return formats::write_plan(plan); }}},
+                  [](const Plan& plan) -> Outcome<Exported> {
+                      return Exported{formats::write_plan(plan), {}};
+                  }}},
                 {},
                 [](const Lettering&) -> Outcome<svg::Document> { return fail("font", "none here"); }};
     return setup;

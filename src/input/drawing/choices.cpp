@@ -39,7 +39,19 @@ bool matches(std::string_view pattern, std::string_view text) {
 }
 
 Choices::Choices(const svg::Document& document, const DrawingOptions& options)
-    : document_(document), options_(options) {}
+    : document_(document), options_(options) {
+    if (options.tools == DrawingOptions::Tools::asked) return;
+    for (const svg::Shape& shape : document.shapes)
+        if (chosen(shape) && fence_of(shape).empty() &&
+            std::ranges::find(tool_keys_, tool_key(shape)) == tool_keys_.end())
+            tool_keys_.push_back(tool_key(shape));
+}
+
+std::string Choices::tool_key(const svg::Shape& shape) const {
+    if (options_.tools == DrawingOptions::Tools::by_layer) return shape.layer;
+    const auto seen = [](const std::optional<svg::Paint>& paint) { return paint && paint->opacity > 0; };
+    return seen(shape.stroke) ? hex(shape.stroke->colour) : seen(shape.fill) ? hex(shape.fill->colour) : "";
+}
 
 std::vector<std::string> Choices::layers_of(const svg::Shape& shape) const {
     std::vector<std::string> names;
@@ -94,6 +106,8 @@ std::vector<svg::Hint> Choices::hints_of(const svg::Shape& shape) const {
     for (const auto& [name, value] : own) asked[name] = value;
     for (const std::string& name : names)
         if (name.starts_with(pause)) asked["pause"] = name;
+    if (const auto own_tool = std::ranges::find(tool_keys_, tool_key(shape)); own_tool != tool_keys_.end())
+        asked.emplace("tool", std::to_string(own_tool - tool_keys_.begin() + 1));
     std::vector<svg::Hint> hints;
     for (const auto& [name, value] : asked) hints.push_back({name, value});
     return hints;

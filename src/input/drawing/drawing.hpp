@@ -82,7 +82,10 @@ struct DrawingOptions {
     bool invert = false;                 ///< light on dark: what is bright is ink, and the ground is black
     std::vector<std::string> layers{};   ///< only what is in one of these is drawn; empty: everything
     std::vector<InkRule> rules{};        ///< later ones win, hints in the file over all of them
-    bool occlusion = true;               ///< false: every element is drawn, whatever lies over it
+    /// a tool of its own for each layer or colour of what asks for none: the hint `tool`, counted from 1 in
+    /// painting order
+    enum class Tools { asked, by_layer, by_colour } tools = Tools::asked;
+    bool occlusion = true;  ///< false: every element is drawn, whatever lies over it
 };
 
 /// What was done to the file's shapes on the way.

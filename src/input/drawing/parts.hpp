@@ -59,8 +59,11 @@ class Choices {
   private:
     /// Of the innermost layer outwards.
     std::vector<std::string> layers_of(const svg::Shape& shape) const;
+    /// What tells its tool from others: its layer, or the colour of its stroke, or else of its fill.
+    std::string tool_key(const svg::Shape& shape) const;
     const svg::Document& document_;
     const DrawingOptions& options_;
+    std::vector<std::string> tool_keys_;  ///< in painting order
 };
 /// A layer that is never drawn: its name begins with %.
 bool is_left_out(std::string_view layer);

@@ -9,6 +9,7 @@
 #include "input/drawing/drawing.hpp"
 #include "machine/follow/follow.hpp"
 #include "machine/robot/robot.hpp"
+#include "machine/site/site.hpp"
 #include "math/curve/curve.hpp"
 #include "path/stroke/stroke.hpp"
 
@@ -37,9 +38,10 @@ struct Options {
         double tolerance = 0.002, join_tolerance = 0.005, min_length = 0.01;
         double simplify = 0, smooth = 0;  // metres; 0: lines stay as they are
         bool occlusion = true;
-        std::string layers;  // names, separated by ";"; empty: all
-        std::string rules;   // what rules_of() reads
-        double dpi = 0;      // px to the inch in the SVG; 0: 96, or 90 in files of Inkscape before 0.92
+        std::string layers;           // names, separated by ";"; empty: all
+        std::string rules;            // what rules_of() reads
+        std::string tools = "asked";  // asked | layer | colour
+        double dpi = 0;  // px to the inch in the SVG; 0: 96, or 90 in files of Inkscape before 0.92
         bool operator==(const Draw&) const = default;
     } drawing;
     struct Ink {  // "ink.*"
@@ -116,6 +118,31 @@ struct Options {
         double step = 0.02;
         bool operator==(const Samples&) const = default;
     } trajectory;
+    struct Where {  // "site.*"
+        bool known = false;
+        Site at;
+        bool operator==(const Where&) const = default;
+    } site;
+    struct Mission {                                         // "mission.*": of ArduPilot and QGroundControl
+        int items = 724, servo = 9, down = 1900, up = 1100;  // servo: microseconds
+        double tolerance = 0.05;
+        bool operator==(const Mission&) const = default;
+    } mission;
+    struct Gcode {  // "gcode.*": texts with {x} in them, \n between lines
+        std::string begin = "G21\\nG90\\nG17\\n{up}", end = "{up}\\nG0 X0 Y0\\nM2";
+        std::string down = "G1 Z0 F600", up = "G0 Z5", stop = "M0 ({why})";
+        double feed = 0;  // mm/min; 0: the robot's speed
+        bool operator==(const Gcode&) const = default;
+    } gcode;
+    struct Table {                     // "thr.*": of sand tables
+        double radius = 0;             // 0: what holds everything drawn
+        std::string ends = "nearest";  // nearest | rim | centre | drawn
+        bool operator==(const Table&) const = default;
+    } thr;
+    struct Nav {  // "nav.*": of ROS
+        std::string frame = "map", goals = "one", controller, goal_checker;
+        bool operator==(const Nav&) const = default;
+    } nav;
     bool operator==(const Options&) const = default;
 };
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 
 #include "base/units/units.hpp"
 #include "math/region/region.hpp"
+#include "plan/model/export_settings.hpp"
 #include "plan/model/model.hpp"
 
 namespace strandline {
@@ -181,6 +183,16 @@ std::vector<Setting> make_table() {
          {},
          "",
          [](Options& o) -> Field { return &o.drawing.rules; }},
+        {"drawing.tools",
+         "what has no tool asked for is drawn with a tool of its own for each layer, or for each colour; "
+         "asked: "
+         "all with tool 1",
+         Kind::choice,
+         0,
+         0,
+         {"asked", "layer", "colour"},
+         "",
+         [](Options& o) -> Field { return &o.drawing.tools; }},
         {"ink.threshold",
          "paint brighter than this (luminance 0 to 1) is bare sand",
          Kind::number,
@@ -762,7 +774,11 @@ std::string joined(const std::vector<std::string>& words) {
 }  // namespace
 
 const std::vector<Setting>& settings() {
-    static const std::vector<Setting> table = make_table();
+    static const std::vector<Setting> table = [] {
+        std::vector<Setting> all = make_table();
+        std::ranges::move(export_settings(), std::back_inserter(all));
+        return all;
+    }();
     return table;
 }
 
@@ -797,6 +813,7 @@ void switch_on(Options& options, const std::string& key) {
     if (key == "tour.end_x" || key == "tour.end_y") options.tour.has_end = true;
     if (key == "park.x" || key == "park.y" || key == "park.heading") options.park.parked = true;
     if (key.starts_with("park.exit_")) options.park.exit = "pose";
+    if (key.starts_with("site.")) options.site.known = true;
     if (key == "fill.direction") options.fill.best_direction = false;
 }
 

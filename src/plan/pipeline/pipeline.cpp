@@ -40,6 +40,9 @@ Outcome<DrawingOptions> pipeline::drawing_options(const Options& options) {
     o.ink_threshold = options.ink.threshold;
     o.invert = options.ink.invert;
     o.layers = names_of(options.drawing.layers);
+    o.tools = options.drawing.tools == "layer"    ? DrawingOptions::Tools::by_layer
+              : options.drawing.tools == "colour" ? DrawingOptions::Tools::by_colour
+                                                  : DrawingOptions::Tools::asked;
     auto rules = rules_of(options.drawing.rules);
     if (!rules) return tl::unexpected(rules.error());
     o.rules = std::move(*rules);

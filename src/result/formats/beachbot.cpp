@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/text.hpp"
 #include "machine/pins/pins.hpp"
 #include "result/formats/formats.hpp"
 #include "result/formats/instants.hpp"
-#include "result/formats/json_text.hpp"
 
 namespace strandline::formats {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/text/text.hpp"
 #include "base/units/units.hpp"
 #include "result/formats/formats.hpp"
-#include "result/formats/json_text.hpp"
 
 namespace strandline::formats {
 namespace {

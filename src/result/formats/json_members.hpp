@@ -2,7 +2,7 @@
 // Private to the room: JSON objects, a member after the other.
 #include <string_view>
 
-#include "result/formats/json_text.hpp"
+#include "base/text/text.hpp"
 
 namespace strandline::formats {
 

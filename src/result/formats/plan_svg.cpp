@@ -1,8 +1,8 @@
 // A plan as an SVG picture: true to scale, y turned down, as SVG has it.
 #include <cmath>
 
+#include "base/text/text.hpp"
 #include "result/formats/formats.hpp"
-#include "result/formats/json_text.hpp"
 #include "result/sketch/sketch.hpp"
 
 namespace strandline::formats {

@@ -1,5 +1,5 @@
+#include "base/text/text.hpp"
 #include "result/formats/formats.hpp"
-#include "result/formats/json_text.hpp"
 #include "result/formats/plan_schema.hpp"
 
 namespace strandline::formats {

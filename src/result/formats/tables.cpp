@@ -1,9 +1,9 @@
 // A plan as a table of samples, and its figures.
 #include <cmath>
 
+#include "base/text/text.hpp"
 #include "machine/pins/pins.hpp"
 #include "result/formats/formats.hpp"
-#include "result/formats/json_text.hpp"
 #include "result/formats/plan_schema.hpp"
 
 namespace strandline::formats {

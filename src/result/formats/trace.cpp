@@ -1,9 +1,9 @@
 // A plan as the trace judges read it: what was to be drawn, and what is driven in order.
 #include <cmath>
 
+#include "base/text/text.hpp"
 #include "result/formats/formats.hpp"
 #include "result/formats/instants.hpp"
-#include "result/formats/json_text.hpp"
 #include "result/sketch/sketch.hpp"
 
 namespace strandline::formats {

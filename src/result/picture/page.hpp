@@ -1,5 +1,5 @@
 #pragma once
-// Private to the room: a page of pixels to paint on, and its PNG.
+// Private to the room: what is painted on: a page of pixels and its PNG, a page of paper and its PDF.
 #include <cairo.h>
 
 #include <memory>
@@ -20,6 +20,20 @@ class Page {
     Outcome<std::string> png() const;
 
   private:
+    std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
+    std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
+};
+
+/// A page of paper, in points (1/72 inch).
+class Paper {
+  public:
+    Paper(double width, double height, const std::string& title);
+    cairo_t* cairo() const { return cairo_.get(); }
+    /// Ends the page: nothing can be painted after it.
+    Outcome<std::string> pdf();
+
+  private:
+    std::unique_ptr<std::string> bytes_;  ///< its place stays when the paper moves
     std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
     std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
 };

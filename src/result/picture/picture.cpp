@@ -84,8 +84,7 @@ class Painter {
     double scale_;
 };
 
-/// Grains of sand: always the same ones, from a small generator of our own (Vigna, xorshift64*).
-void paint_sand(Painter& paint, const Sketch& sketch) {
+void paint_ground(Painter& paint, const Sketch& sketch) {
     paint.colour(beach);
     cairo_paint(paint.cairo());
     paint.rectangle(sketch.canvas);
@@ -94,7 +93,10 @@ void paint_sand(Painter& paint, const Sketch& sketch) {
     paint.colour(canvas_edge);
     cairo_set_line_width(paint.cairo(), paint.em(0.06));
     cairo_stroke(paint.cairo());
+}
 
+/// Grains of sand: always the same ones, from a small generator of our own (Vigna, xorshift64*).
+void paint_grains(Painter& paint, const Sketch& sketch) {
     std::uint64_t state = 0x9E3779B97F4A7C15U;
     const auto uniform = [&state] {
         state ^= state >> 12;
@@ -227,7 +229,6 @@ void paint_sign(Painter& paint, const Sketch& sketch, const LegendItem& item) {
 }
 
 void paint_all(Painter& paint, const Plan& plan, const Sketch& sketch) {
-    paint_sand(paint, sketch);
     paint_grooves(paint, plan, sketch);
     paint_fences(paint, sketch);
     paint_trips(paint, sketch);
@@ -259,8 +260,28 @@ Outcome<std::string> png(const Plan& plan, const Look& look) {
 
     const Page page(columns, rows);
     Painter paint(page.cairo(), sketch, scale);
+    paint_ground(paint, sketch);
+    paint_grains(paint, sketch);
     paint_all(paint, plan, sketch);
     return page.png();
+}
+
+Outcome<std::string> pdf(const Plan& plan, const Look& look) {
+    constexpr double longest_side = 0.42;  // m: A3
+    constexpr double points = 72 / 0.0254;
+    Sketch sketch = sketch::sketched(plan, {.arrows = look.arrows, .legend = look.legend});
+    if (!sketch::drawable(sketch))
+        return fail("picture", "the canvas has no extent, or too much", "check its size");
+    const double width = sketch.view.width(), height = sketch.view.height();
+    double scale = 1;  // 1 : this
+    for (int step = 0; std::max(width, height) / scale > longest_side; ++step)
+        scale *= step % 3 == 1 ? 2.5 : 2;
+    sketch.caption += fmt::format(", 1:{:.0f}", scale);
+    Paper paper(points * width / scale, points * height / scale, plan.title);
+    Painter paint(paper.cairo(), sketch, points / scale);
+    paint_ground(paint, sketch);
+    paint_all(paint, plan, sketch);
+    return paper.pdf();
 }
 
 }  // namespace strandline::picture

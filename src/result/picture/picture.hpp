@@ -16,6 +16,11 @@ struct Look {
 /// PNG bytes: rake down black at true width, rake up red with arrows, start dot, legend with a metre rule.
 Outcome<std::string> png(const Plan& plan, const Look& look = {});
 
+/// PDF bytes: the same as lines on one page, to the largest round scale (1:1, 1:2, 1:5, 1:10 ...) at which
+/// the page is no longer than A3; the caption names it. Sand has no grains there. Of Look, pixels says
+/// nothing.
+Outcome<std::string> pdf(const Plan& plan, const Look& look = {});
+
 /// PNG bytes of an image.
 Outcome<std::string> image_png(const shade::Image& image);
 /// PNG bytes: the sand after a drive, seen from above (shade::sand).

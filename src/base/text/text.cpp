@@ -1,4 +1,4 @@
-#include "result/formats/json_text.hpp"
+#include "base/text/text.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <iterator>
 
-namespace strandline::formats {
+namespace strandline {
 namespace {
 
 /// Length of the UTF-8 sequence that starts here, 0 where none does (Unicode 15, table 3-7).
@@ -71,7 +71,8 @@ void add_string(Text& text, std::string_view value) {
 }
 
 void add_fixed(Text& text, double value, int decimals) {
-    constexpr long long powers[] = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000};
+    constexpr long long powers[] = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000,
+                                    10'000'000, 100'000'000, 1'000'000'000};
     const long long power = powers[decimals];
     if (!(std::abs(value) < 1e9)) {  // not finite, or beyond exact whole numbers of the last place
         fmt::format_to(std::back_inserter(text), "{:.{}f}", value, decimals);
@@ -89,4 +90,4 @@ void add_fixed(Text& text, double value, int decimals) {
         text.push_back(static_cast<char>('0' + rest / place % 10));
 }
 
-}  // namespace strandline::formats
+}  // namespace strandline

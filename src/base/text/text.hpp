@@ -1,9 +1,9 @@
 #pragma once
-// JSON as text, piece by piece: what the writers of this room share.
+// Text, piece by piece, as writers of JSON and of tables want it: no locale, the same bytes everywhere.
 #include <string>
 #include <string_view>
 
-namespace strandline::formats {
+namespace strandline {
 
 /// Text that grows: a plan has some 100,000 numbers, so it is handed on by moving only.
 using Text = std::string;
@@ -16,8 +16,8 @@ void add_number(Text& text, long long value);
 /// Quoted and escaped. Bytes that are not UTF-8 become U+FFFD: a file that nothing can read helps nobody.
 void add_string(Text& text, std::string_view value);
 
-/// "0.123000" with that many decimals, zero never negative: "-0.000000" is another text than "0.000000" to a
+/// "0.123000" with that many decimals, 9 at most, zero never negative: "-0.000000" is another text than "0.000000" to a
 /// diff.
 void add_fixed(Text& text, double value, int decimals);
 
-}  // namespace strandline::formats
+}  // namespace strandline

@@ -1,0 +1,65 @@
+#include "exports/drive.hpp"
+#include "result/exports/exports.hpp"
+
+namespace strandline {
+namespace {
+
+using namespace testing;
+
+std::string written(const Plan& plan) {
+    const auto text = exports::gcode(plan);
+    EXPECT_TRUE(text) << (text ? "" : sentence(text.error()));
+    return text ? text->files.at(0).bytes : "";
+}
+
+TEST(Gcode, ReadBackItIsWhatTheToolDraws) {
+    const Plan plan = beach_plan();
+    expect_same(only_down(read_gcode(written(plan)).tracks), only_down(tracks_of(plan, true)), millimetre);
+}
+
+TEST(Gcode, EveryStrokeGoesDownOnceAndUpOnce) {
+    const Program program = read_gcode(written(beach_plan()));
+    EXPECT_EQ(std::ranges::count(program.others, "G1 Z0 F600"), 4);
+    EXPECT_EQ(std::ranges::count(program.others, "G0 Z5"), 6) << "begin, four strokes, end";
+    EXPECT_EQ(program.others.front(), "G21");
+    EXPECT_EQ(program.others.back(), "M2");
+}
+
+TEST(Gcode, StopsAreBlocksBetweenStrokesToolUp) {
+    Plan plan = beach_plan();
+    plan.drawing.elements[1].layer = "gold (thin)";
+    plan.options.gcode.stop = "T{tool} M6\\n(load {why}, {layer})";
+    const auto lines = lines_of(written(plan));
+    const auto change = std::ranges::find(lines, "T2 M6");
+    ASSERT_NE(change, lines.end());
+    EXPECT_EQ(*std::prev(change), "G0 Z5");
+    EXPECT_EQ(*std::next(change), "(load tool 2, gold  thin )") << "no bracket within a comment";
+    EXPECT_TRUE(std::next(change, 2)->starts_with("G0 X"));
+}
+
+TEST(Gcode, TemplatesAndFeedAreTheUsers) {
+    Plan plan = beach_plan();
+    plan.options.gcode.begin = "G21\\n({title})\\n{up}";
+    plan.options.gcode.up = "M5";
+    plan.options.gcode.down = "M3 S90 F{feed}";
+    plan.options.gcode.feed = 1500;
+    const std::string text = written(plan);
+    EXPECT_TRUE(
+        text.starts_with("G21\n(two lines and a \"door\" <é>)\nM5\nG0 X2000.000 Y2000.000\nM3 S90 "
+                         "F1500\nG1 X6000.000 Y2000.000 F1500\nM5\n"))
+        << text.substr(0, 200);
+}
+
+TEST(Gcode, AWrongTemplateIsRefusedByName) {
+    Plan plan = beach_plan();
+    plan.options.gcode.down = "G1 Z{depth}";
+    const auto refused = exports::gcode(plan);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().place, "gcode.down");
+    EXPECT_NE(refused.error().reason.find("depth"), std::string::npos);
+    plan.options.gcode.down = "G1 {feed";
+    EXPECT_FALSE(exports::gcode(plan));
+}
+
+}  // namespace
+}  // namespace strandline
