@@ -21,7 +21,8 @@ TEST(Robot, EveryBuiltInIsValidAndBearsItsName) {
 TEST(Robot, AnUnknownNameIsRefusedWithTheNamesThereAre) {
     const auto robot = builtin_robot("bechbot");
     ASSERT_FALSE(robot);
-    EXPECT_NE(sentence(robot.error()).find("beachbot, plotter, turf or diffdrive"), std::string::npos);
+    EXPECT_NE(sentence(robot.error()).find("beachbot, plotter, turf, diffdrive or sandtable"),
+              std::string::npos);
 }
 
 TEST(Robot, SharpnessOfTheBeachbotFollowsFromItsTurnAcceleration) {

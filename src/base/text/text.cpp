@@ -71,8 +71,8 @@ void add_string(Text& text, std::string_view value) {
 }
 
 void add_fixed(Text& text, double value, int decimals) {
-    constexpr long long powers[] = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000,
-                                    10'000'000, 100'000'000, 1'000'000'000};
+    constexpr long long powers[] = {1,       10,        100,        1'000,       10'000,
+                                    100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
     const long long power = powers[decimals];
     if (!(std::abs(value) < 1e9)) {  // not finite, or beyond exact whole numbers of the last place
         fmt::format_to(std::back_inserter(text), "{:.{}f}", value, decimals);

@@ -89,6 +89,9 @@ std::vector<Part> parts_of(const Leg& leg, double step) {
     return parts;
 }
 
+/// Pins down between strokes.
+unsigned mask_between(const Robot& robot) { return robot.lifts ? 0 : pin_mask(robot, robot.pins); }
+
 /// Turning on the spot by `turn` takes a trapezoid of turn rate; the samples are spaced in angle.
 void add_pivot(std::vector<Sample>& samples, const Leg& leg, const Robot& robot, double& t) {
     const RobotState& from = leg.path.front();
@@ -106,6 +109,7 @@ void add_pivot(std::vector<Sample>& samples, const Leg& leg, const Robot& robot,
         sample.turn_rate = std::copysign(rate_at(i), turn);
         sample.rake = rake_at(robot, sample.pose);
         sample.motion = Motion::pivot;
+        sample.mask = mask_between(robot);
         samples.push_back(sample);
         t += 2 * part / (rate_at(i) + rate_at(i + 1));
     }
@@ -158,8 +162,8 @@ class Timer {
         if (motion == Motion::draw) {
             sample.stroke = stroke;
             sample.mask = pin_mask(robot_, strokes_[static_cast<std::size_t>(stroke)].pins);
-        } else if (!robot_.lifts) {
-            sample.mask = pin_mask(robot_, robot_.pins);
+        } else {
+            sample.mask = mask_between(robot_);
         }
         return sample;
     }
