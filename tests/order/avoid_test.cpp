@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "path/order/order.hpp"
+#include "order/avoiding.hpp"
 
 namespace strandline::order {
 namespace {
@@ -24,15 +24,6 @@ Group square_group(int element, Point low, double side) {
     group.work.strokes[0].fill = group.work.strokes[0].one_way = true;
     group.area = {Region{{low, low + Point{side, 0}, low + Point{side, side}, low + Point{0, side}}, {}}};
     return group;
-}
-
-Options options_for(const Robot& robot, bool avoid) {
-    Options options;
-    options.connect.limits = connect::limits_of(robot);
-    options.avoid.on = avoid;
-    options.avoid.clearance = wheel_reach(robot);
-    options.avoid.radius = robot.min_radius;
-    return options;
 }
 
 double metres_within(const Curve& curve, const Region& region) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "path/order/order.hpp"
+#include "order/avoiding.hpp"
 
 namespace strandline::order {
 namespace {
@@ -29,15 +29,6 @@ Group corner_group(int element) {
 
 Region box(Point low, Point high) { return {{low, {high.x, low.y}, high, {low.x, high.y}}, {}}; }
 
-Options options_for(const Robot& robot, bool avoid) {
-    Options options;
-    options.connect.limits = connect::limits_of(robot);
-    options.avoid.on = avoid;
-    options.avoid.clearance = wheel_reach(robot);
-    options.avoid.radius = robot.min_radius;
-    return options;
-}
-
 /// Metres of the loops at which a wheel, or the turning point, is on the region.
 double looped_over(const Ordered& answer, const Robot& robot, const Region& region) {
     double sum = 0;
@@ -45,7 +36,7 @@ double looped_over(const Ordered& answer, const Robot& robot, const Region& regi
         if (leg.motion != Motion::loop) continue;
         for (std::size_t i = 1; i < leg.path.size(); ++i) {
             const Pose& pose = leg.path[i].pose;
-            const Point ahead = unit(pose.heading), left{-ahead.y, ahead.x};
+            const Point ahead = unit(pose.heading), left = left_normal(ahead);
             const bool over =
                 contains(region, pose.at) || std::ranges::any_of(robot.wheels, [&](const Wheel& wheel) {
                     return contains(region, pose.at + wheel.at.x * ahead + wheel.at.y * left);

@@ -79,7 +79,7 @@ Rolled Raked::rolled(const Curve& curve) const {
     bool on_line = true;  // beside its own end it is not over it
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Pose& pose = points[i].pose;
-        const Point ahead = unit(pose.heading), left{-ahead.y, ahead.x};
+        const Point ahead = unit(pose.heading), left = left_normal(ahead);
         const bool rolls = std::ranges::any_of(robot_.wheels, [&](const Wheel& wheel) {
             return is_on(areas_, pose.at + wheel.at.x * ahead + wheel.at.y * left);
         });
