@@ -55,6 +55,21 @@ TEST(FillNarrow, AnArmOfAKeyGetsOnePassToItsEnd) {
     }
 }
 
+TEST(FillNarrow, AStripHardlyWiderThanTheRakeIsRakedAlongItsMiddle) {
+    // A thick line with round caps: its ring still has room, the outline by fewer points none.
+    Polyline outer;
+    for (int k = 0; k <= 32; ++k)
+        outer.push_back(Point{k <= 16 ? 1.5 : 0.0, 0} + 0.2005 * unit((k - 8) * pi / 16));
+    outer.insert(outer.begin() + 17, Point{0, 0.2005});
+    for (const Affine& map : {Affine{}, shapes::turned, shapes::mirrored}) {
+        const Region strip = shapes::moved({areas::of({outer})}, map)[0];
+        for (const Style style : {Style::rings, Style::spiral, Style::zigzag}) {
+            const Fill fill = fill_region(strip, 0, "strip", with(style));
+            EXPECT_GT(areas::judged(strip, fill, 0.4).coverage, 0.94);
+        }
+    }
+}
+
 TEST(FillNarrow, TheArmIsNamedByPlaceWithWhatItSpills) {
     const Fill fill = fill_region(key(0.3), 0, "key", with(Style::rings));
     ASSERT_EQ(fill.warnings.size(), 1u);
