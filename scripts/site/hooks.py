@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 FROM_ROOT = ("CONTRIBUTING.md",)  # pages of the site that lie beside docs/
 HOME = {"../README.md": "index.md"}
 LINK = re.compile(r"\]\(((?:\.\./)+[^)#\s]+)")
-MENTION = re.compile(r"(?<![\w/(\[`])(docs/)?((?:[\w-]+/)?[\w-]+\.md)\b(?![\]`])")
+MENTION = re.compile(r"(?<!\]\()(?<![\w/\[`-])(docs/)?((?:[\w-]+/)?[\w-]+\.md)\b(?![\]`])")
 ITEM = re.compile(r"\s{0,3}(?:[-*]|\d+\.) ")
 
 

@@ -10,8 +10,8 @@ import plots
 
 ROOT = Path(__file__).resolve().parents[2]
 PICTURES = ROOT / "docs/pictures"
-COLOURS = 48  # a palette keeps a page under a megabyte
 REMADE = ROOT / "drawings/remade"
+FLAGS = "name,x,y,latitude,longitude,radius\nsouth-west,0,0,47.3769000,8.5417000,\nsouth-east,14,0,47.3769309,8.5418799,\nnorth-east,14,14,47.3770534,8.5418342,\npole,,,47.3770155,8.5416705,30cm\n"
 
 
 class Studio:
@@ -47,8 +47,8 @@ class Studio:
         with Image.open(self.folder / name) as picture: return picture.convert("RGB")
 
 
-def from_svg(svg):
-    png = subprocess.run(["rsvg-convert"], input=svg.encode(), capture_output=True, check=True).stdout
+def from_svg(svg, paper="white"):
+    png = subprocess.run(["rsvg-convert", "-b", paper], input=svg.encode(), capture_output=True, check=True).stdout
     return Image.open(io.BytesIO(png)).convert("RGB")
 
 
@@ -66,6 +66,16 @@ def beside(*pictures, gap=8, columns=None):
             x += picture.width + gap
         y += height + gap
     return sheet
+
+
+def few(picture):
+    """64 colours keep a page under a megabyte: 44 for what there is most of, 20 so that a mark of a few pixels keeps its own"""
+    colours = []
+    for number, method in ((44, Image.Quantize.MEDIANCUT), (20, Image.Quantize.MAXCOVERAGE)):
+        colours += picture.quantize(number, method).getpalette()[:3 * number]
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(colours)
+    return picture.quantize(palette=palette, dither=Image.Dither.NONE)
 
 
 def cropped(picture, left, top, right, bottom):
@@ -100,16 +110,15 @@ def sand_table(s):
 def diff_drive(s): return s.rendered("hello.svg", "--robot", "diffdrive", "--canvas", "2x1", "--margin", "10cm", pixels=800)
 def rover(s):
     (s.folder / "rover.toml").write_text('base = "beachbot"\nname = "rover"\npins = 1\npin_pitch = "15cm"\nrake_offset = "35cm"\nmin_radius = "80cm"\n')
-    pole = "7.7 6.0 8.4 6.0 8.4 6.7 7.7 6.7".split()
-    ring = " ".join(f"{x},{y}" for x, y in zip(pole[::2], pole[1::2]))
-    return s.rendered("waves.svg", "--robot", "rover.toml", "--keep-out", ring, pixels=700)
+    (s.folder / "site.toml").write_text(s.run("locate", "-", text=FLAGS))
+    return s.rendered("waves.svg", "--robot", "rover.toml", "--config", "site.toml", pixels=700)
 
 
 def robots(s):
     return from_svg(plots.robots([(name, s.run("robots", name)) for name in ("beachbot", "turf", "diffdrive")]))
 
 
-def tutorial_drawing(s): return from_svg((ROOT / "drawings/lighthouse.svg").read_text().replace('width="200mm" height="240mm"', 'width="380" height="456" style="background:#fff"'))
+def tutorial_drawing(s): return from_svg((ROOT / "drawings/lighthouse.svg").read_text().replace('width="200mm" height="240mm"', 'width="380" height="456"'))
 def tutorial_plan(s): return s.rendered("lighthouse.svg", pixels=700)
 def tutorial_sand(s): s.plan("lighthouse.svg", "--canvas", "20x20", "--set", "fill.style=spiral"); return s.sand("--noise", "--seed", 7, "--cell", "2cm", pixels=600)
 
@@ -193,13 +202,7 @@ def speeds(s):
 
 
 def masks(s):
-    picture = s.rendered("lighthouse.svg", "--canvas", "20x20", pixels=3200)
-    return cropped(picture, .47, .15, .68, .32)
-
-
-def cells(s):
-    s.plan("hello.svg")
-    return cropped(s.sand("--cell", "6cm", pixels=1400), .05, .25, .6, .65)
+    return cropped(s.rendered(REMADE / "logo.svg", pixels=2600), .6, .42, .98, .68)
 
 
 def legibility(s):
@@ -209,8 +212,8 @@ def legibility(s):
 
 
 def parts(s):
-    s.plan("waves.svg")
-    s.run("split", "plan.json", "--every", "4min", "-o", "part.json")
+    s.plan("crab.svg")
+    s.run("split", "plan.json", "--every", "14min", "-o", "part.json")
     pictures = []
     for part in sorted(s.folder.glob("part-*.json"))[:2]:
         s.run("render", part, "-o", "part.png", "--pixels", 560)
@@ -219,7 +222,7 @@ def parts(s):
 
 
 def trace(s):
-    photo = from_svg((ROOT / "drawings/crab.svg").read_text().replace('width="240mm" height="200mm"', 'width="480" height="400" style="background:#cdbb95"').replace("#000", "#5d4a32"))
+    photo = from_svg((ROOT / "drawings/crab.svg").read_text().replace('width="240mm" height="200mm"', 'width="480" height="400"').replace("#000", "#5d4a32"), "#cdbb95")
     noisy = plots.photographed(photo)
     noisy.save(s.folder / "photo.png")
     s.run("trace", "photo.png", "-o", "traced.svg", "--set", "trace.despeckle=50")
@@ -235,8 +238,7 @@ def typeset(s):
 
 
 def located(s):
-    flags = "name,x,y,latitude,longitude,radius\nsouth-west,0,0,47.3769000,8.5417000,\nsouth-east,14,0,47.3769309,8.5418799,\nnorth-east,14,14,47.3770534,8.5418342,\npole,,,47.3770155,8.5416705,30cm\n"
-    (s.folder / "site.toml").write_text(s.run("locate", "-", text=flags))
+    (s.folder / "site.toml").write_text(s.run("locate", "-", text=FLAGS))
     s.plan("shells.svg", "--config", "site.toml")
     return from_svg(plots.on_the_map(json.loads(s.run("export", "plan.json", "--format", "geojson"))))
 
@@ -277,7 +279,7 @@ def words(s):
 NAMES = {"starfish": starfish, "starfish-sand": starfish_sand, "starfish-flaws": starfish_flaws, "occlusion": occlusion, "beach": beach, "plotter": plotter, "turf": turf,
          "sand-table": sand_table, "diff-drive": diff_drive, "rover": rover, "robots": robots, "tutorial-drawing": tutorial_drawing, "tutorial-plan": tutorial_plan,
          "tutorial-sand": tutorial_sand, "tutorial-flaws": tutorial_flaws, "film": film, "tracking": tracking, "avoid": avoid, "tour": tour, "angles": angles,
-         "styles": styles, "route": route, "follow": follow, "corners": corners, "speeds": speeds, "masks": masks, "cells": cells, "legibility": legibility, "parts": parts,
+         "styles": styles, "route": route, "follow": follow, "corners": corners, "speeds": speeds, "masks": masks, "legibility": legibility, "parts": parts,
          "trace": trace, "typeset": typeset, "located": located, "curvature": curvature, "insets": insets, "broken": broken, "lion": lion, "fish": fish, "logo": logo,
          "letters": letters}
 
@@ -286,7 +288,7 @@ def main(program, names):
     for name in names or NAMES:
         with tempfile.TemporaryDirectory() as folder:
             picture = NAMES[name](Studio(program, Path(folder)))
-        picture.quantize(COLOURS, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).save(PICTURES / f"{name}.png", optimize=True)
+        few(picture).save(PICTURES / f"{name}.png", optimize=True)
         print(f"{name}.png {picture.width} x {picture.height}", file=sys.stderr)
 
 
