@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""links.py PROGRAM: no dead link in what people read: README.md, CONTRIBUTING.md, docs/, the API description, what --help says, comments.
+"""links.py PROGRAM [PAGE.md]: no dead link in what people read: README.md, CONTRIBUTING.md, docs/, the API description, what --help says, comments.
 
 Links and pictures of Markdown lead to files that are there, anchors to headings; a page named in running text (docs/fill.md) exists; every file in docs/
 that is no page is shown or linked by one. Words of the program that pages use exist: options of commands, settings, formats.
@@ -93,8 +93,8 @@ def word_faults(program, pages):
         if not re.search(rf"(?:strandline|\./run) {command}\b", spoken): yield f"no page speaks of strandline {command}"
 
 
-def main(program):
-    pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.rglob("*.md"))]
+def main(program, more):
+    pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.rglob("*.md")), *(Path(page).resolve() for page in more)]
     faults = [fault for page in pages for fault in page_faults(page)] + unused(pages) + list(word_faults(program, pages))
     described = (ROOT / "web/public/openapi.json").read_text()
     json.loads(described)
@@ -105,4 +105,4 @@ def main(program):
     return 1 if faults else 0
 
 
-sys.exit(main(sys.argv[1]))
+sys.exit(main(sys.argv[1], sys.argv[2:]))
