@@ -100,8 +100,9 @@ struct SplitArguments {
 int split(const SplitArguments& arguments, const Common& common);
 
 int list_settings(const Common& common);
-/// Without a name: the built-in names; with one: its profile as TOML. As JSON: the robots themselves.
-int show_robot(const std::string& name, const Common& common);
+/// Without a name: the built-in names; with one: its profile as TOML, or a drawing into an .svg file. As JSON:
+/// the robots themselves.
+int show_robot(const std::string& name, const std::string& output, const Common& common);
 
 struct TourArguments {
     std::string input, output = "-";

@@ -256,7 +256,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     FillArguments fill;
     ConnectArguments connect;
     ConvertArguments convert;
-    std::string robot;
+    std::string robot, robot_output = "-";
     add_plan(app, plan, common, chosen);
     add_text(app, text, common, chosen);
     add_trace(app, trace, common, chosen);
@@ -271,9 +271,13 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     CLI::App* robots =
         app.add_subcommand("robots", "lists the built-in robots, or prints one as a profile file");
     robots->add_option("name", robot, "a built-in robot or a profile file");
+    robots
+        ->add_option("-o,--output", robot_output,
+                     "a profile file, or a drawing of the robot to scale where it ends in .svg; -: stdout")
+        ->capture_default_str();
     robots->footer(
         "With --json: a robot as in a plan file (docs/plan-format.md); without a name a list of them.");
-    robots->callback([&] { chosen = [&] { return show_robot(robot, common); }; });
+    robots->callback([&] { chosen = [&] { return show_robot(robot, robot_output, common); }; });
 #ifdef STRANDLINE_EDITOR
     ServeArguments served;
     add_serve(app, served, common, chosen);
