@@ -125,21 +125,26 @@ void warn(const Warnings& warnings, bool quiet) {
     for (const Warning& warning : warnings) fmt::print(stderr, "warning: {}\n", sentence(warning));
 }
 
+void show_bar(const std::string& what, double share) {
+    if (!isatty(STDERR_FILENO)) return;
+    const int percent = static_cast<int>(100 * share), bars = percent / 5;
+    if (share >= 1)
+        fmt::print(stderr, "\r\033[K");
+    else
+        fmt::print(stderr, "\r\033[K{:<12} [{:#<{}}{:.<{}}] {:3}%", what, "", bars, "", 20 - bars, percent);
+}
+
 Progress console_progress(bool quiet) {
     std::signal(SIGINT, on_interrupt);
     Progress progress;
     progress.stopped = [] { return interrupted != 0; };
-    if (!quiet && isatty(STDERR_FILENO)) {
+    if (!quiet)
         progress.report = [shown = -1](const std::string& what, double share) mutable {
             const int percent = static_cast<int>(100 * share);
             if (percent == shown) return;
             shown = percent;
-            const int bars = percent / 5;
-            fmt::print(stderr, "\r\033[K{:<12} [{:#<{}}{:.<{}}] {:3}%", what, "", bars, "", 20 - bars,
-                       percent);
-            if (share >= 1) fmt::print(stderr, "\r\033[K");
+            show_bar(what, share);
         };
-    }
     return progress;
 }
 

@@ -61,27 +61,32 @@ The same settings, given to plan, plan the same areas:
     trace->callback([&] { chosen = [&] { return cli::trace(a, common); }; });
 }
 
-void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::function<int()>& chosen) {
+void add_plan(CLI::App& app, PlanArguments& a, BatchArguments& b, const Common& common,
+              std::function<int()>& chosen) {
     CLI::App* plan =
         app.add_subcommand("plan", "drawing -> plan: what to draw, in which order, how to drive");
-    plan->add_option("input", a.input, "SVG file or picture (PNG, JPEG), or - for stdin");
+    // One value each, so that files may follow.
+    const auto repeated = [&](const char* name, std::vector<std::string>& values, const char* what) {
+        plan->add_option(name, values, what)->allow_extra_args(false);
+    };
+    plan->add_option("input", b.inputs,
+                     "SVG file or picture (PNG, JPEG), or - for stdin; several with --out-dir");
     plan->add_option("--text", a.lettering.text,
                      "words in the place of a file; with --height at that size (--place actual)");
     add_lettering(plan, a.lettering);
     plan->add_option("-o,--output", a.output, "plan file (JSON), or - for stdout")->capture_default_str();
     plan->add_option("--robot", a.robot,
                      "beachbot, plotter, turf, diffdrive, or a profile file (.toml); default beachbot");
-    plan->add_option("--config", a.configs, "settings file (.toml); may be repeated, later ones win")
-        ->allow_extra_args(false);
-    plan->add_option("--set", a.settings,
-                     "key=value; keys: strandline settings. robot.FIELD=value changes the robot");
+    repeated("--config", a.configs, "settings file (.toml); may be repeated, later ones win");
+    repeated("--set", a.settings,
+             "key=value; keys: strandline settings. robot.FIELD=value changes the robot");
     plan->add_option("--canvas", a.canvas,
                      "WIDTHxHEIGHT with units (14mx14m, 20x10) or a paper size (A4, A3-landscape)");
     plan->add_option("--margin", a.margin, "kept free round the drawing (--place fit)");
     plan->add_option("--place", a.place, "fit | actual | width=10m | scale=1:50");
-    plan->add_option("--layer", a.layers, "draw only this layer (* for any letters); may be repeated");
-    plan->add_option("--rule", a.rules,
-                     "layer=NAME: pins=3 or colour=#f00000: tool=2, fill-style=zigzag; may be repeated");
+    repeated("--layer", a.layers, "draw only this layer (* for any letters); may be repeated");
+    repeated("--rule", a.rules,
+             "layer=NAME: pins=3 or colour=#f00000: tool=2, fill-style=zigzag; may be repeated");
     plan->add_option("--avoid", a.avoid,
                      "on | off: off drives over finished areas and lines, the shortest way");
     plan->add_option("--order", a.order, "free | grouped: neighbouring strokes are finished together")
@@ -97,11 +102,11 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->add_option("--border", a.border,
                      "\"X,Y X,Y X,Y\" or a .geojson file: where the robot may drive; default: the canvas and "
                      "canvas.run_out");
-    plan->add_option("--keep-out", a.keep_outs,
-                     "\"X,Y X,Y X,Y\" or a .geojson file: where the robot must not go; may be repeated");
-    plan->add_option("--link", a.links, "A:V=B:W: drive from node V of element A to node W of element B");
-    plan->add_option("--entry", a.entries, "A:V: enter element A at its node V (-1: its last)");
-    plan->add_option("--direction", a.directions, "A=forward|backward for lines, A=ccw|cw for closed ones");
+    repeated("--keep-out", a.keep_outs,
+             "\"X,Y X,Y X,Y\" or a .geojson file: where the robot must not go; may be repeated");
+    repeated("--link", a.links, "A:V=B:W: drive from node V of element A to node W of element B");
+    repeated("--entry", a.entries, "A:V: enter element A at its node V (-1: its last)");
+    repeated("--direction", a.directions, "A=forward|backward for lines, A=ccw|cw for closed ones");
     plan->add_flag("--strict", a.strict,
                    "exit 3 when check finds a fault, finished ground is driven over, or anything was done "
                    "another way than asked");
@@ -109,6 +114,14 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
     plan->add_option(
         "--split", a.split,
         "also NAME-1.json, NAME-2.json ...: parts of at most 30min, or 200m, cut at stroke ends");
+    CLI::Option* folder =
+        plan->add_option("--out-dir", b.folder,
+                         "plans of all drawings into this folder; what is up to date is not planned again");
+    plan->add_option("-j,--jobs", b.jobs, "so many plans at once, each with memory of its own")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str()
+        ->needs(folder);
+    plan->add_flag("--force", b.force, "what is up to date too")->needs(folder);
     plan->add_flag("--open", a.open, "write a picture beside the plan and open it");
     plan->footer(R"(Examples:
   strandline plan lion.svg -o lion.json
@@ -118,8 +131,15 @@ void add_plan(CLI::App& app, PlanArguments& a, const Common& common, std::functi
   strandline plan --text "Hello\nbeach" --font scripts --height 1m -o hello.json
   strandline plan sun.svg --keep-out "3,3 5,3 5,6" --park 0,0,90deg --exit outside -o sun.json
   strandline plan photo.jpg --set trace.despeckle=50 -o photo.json
-  cat drawing.svg | strandline plan - | strandline check -)");
-    plan->callback([&] { chosen = [&] { return cli::plan(a, common); }; });
+  cat drawing.svg | strandline plan - | strandline check -
+  strandline plan drawings/*.svg --out-dir plans -j 2)");
+    plan->callback([&] {
+        chosen = [&] {
+            if (!b.folder.empty() || b.inputs.size() > 1) return plan_all(b, a, common);
+            if (!b.inputs.empty()) a.input = b.inputs.front();
+            return cli::plan(a, common);
+        };
+    });
 }
 
 void add_results(CLI::App& app, ExportArguments& e, LocateArguments& l, CheckArguments& c, RenderArguments& r,
@@ -243,6 +263,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
 
     std::function<int()> chosen;
     PlanArguments plan;
+    BatchArguments batch;
     TextArguments text;
     TraceArguments trace;
     ExportArguments exported;
@@ -257,7 +278,7 @@ Exit codes: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done, but
     ConnectArguments connect;
     ConvertArguments convert;
     std::string robot;
-    add_plan(app, plan, common, chosen);
+    add_plan(app, plan, batch, common, chosen);
     add_text(app, text, common, chosen);
     add_trace(app, trace, common, chosen);
     add_results(app, exported, located, check, render, common, chosen);
