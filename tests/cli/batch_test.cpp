@@ -91,9 +91,9 @@ TEST(Batch, OnlyWhatWouldComeOutOtherwiseIsPlannedAgain) {
     write(folder / "a.svg", lines_to(31));
     EXPECT_EQ(outcomes(run(folder, call)), "planned, up to date");
     // A setting, however it is said, and its default.
-    EXPECT_EQ(outcomes(run(folder, call + "--margin 50cm")), "planned, planned");
-    EXPECT_EQ(outcomes(run(folder, call + "--set canvas.margin=0.5m")), "up to date, up to date");
-    write(folder / "mine.toml", "[canvas]\nmargin = 0.5\n");
+    EXPECT_EQ(outcomes(run(folder, call + "--margin 75cm")), "planned, planned");
+    EXPECT_EQ(outcomes(run(folder, call + "--set canvas.margin=0.75m")), "up to date, up to date");
+    write(folder / "mine.toml", "[canvas]\nmargin = 0.75\n");
     EXPECT_EQ(outcomes(run(folder, call + "--config mine.toml")), "up to date, up to date");
     EXPECT_EQ(outcomes(run(folder, call)), "planned, planned");
     // The robot.
