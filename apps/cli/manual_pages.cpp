@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "manual.hpp"
 
@@ -62,14 +63,14 @@ std::string roff_options(const std::vector<OptionText>& options) {
 
 std::string roff_footer(const std::string& footer) {
     std::string text;
-    bool in_example = false;
+    std::optional<bool> before;  // whether the line before was an example
     each_line(footer, [&](const std::string& line, bool example) {
-        if (example != in_example) text += example ? ".PP\n.EX\n" : ".EE\n";
-        if (!example) text += ".PP\n";
-        in_example = example;
+        if (before && *before && !example) text += ".EE\n";
+        if (example != before) text += example ? ".PP\n.EX\n" : ".PP\n";
+        before = example;
         text += roff(line) + "\n";
     });
-    return text + (in_example ? ".EE\n" : "");
+    return text + (before && *before ? ".EE\n" : "");
 }
 
 /// Text in a table of Markdown.
@@ -94,10 +95,10 @@ std::string table(const std::vector<OptionText>& options) {
 
 std::string markdown_footer(const std::string& footer) {
     std::string text;
-    bool in_example = true;
+    std::optional<bool> before;
     each_line(footer, [&](const std::string& line, bool example) {
-        if (example != in_example || !example) text += "\n";
-        in_example = example;
+        if (example != before) text += "\n";
+        before = example;
         text += example ? "    " + line + "\n" : cell(line) + "\n";
     });
     return text;
