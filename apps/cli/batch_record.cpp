@@ -37,7 +37,7 @@ std::string digest_of(const Asked& asked) {
     add(all, formats::write_robot_json(asked.robot));
     for (const Setting& setting : settings())
         add(all, fmt::format("\n{}={}", setting.key, get(asked.wishes.options, setting.key)));
-    add(all, "\n" + formats::write_edits(asked.wishes.edits) + "\n");
+    add(all, fmt::format("\n{}\n", formats::write_edits(asked.wishes.edits)));
     add_number(all, asked.most_time);
     return digest_of(all);
 }

@@ -91,7 +91,9 @@ void add_serve(CLI::App& app, ServeArguments& a, const Common& common, std::func
     serve->add_option("--host", a.host, "0.0.0.0 lets tablets on the network in; needs --token")
         ->capture_default_str();
     serve->add_option("--token", a.token, "what who opens the editor has to know");
-    serve->add_option("--web", a.web, "folder of the editor's built pages; default: where ./run built them");
+    serve->add_option(
+        "--web", a.web,
+        "folder of the editor's built pages; default: those that are installed, or that ./run built");
     serve->footer(R"(Every change is kept in NAME.strandline as it is made; Ctrl-C ends the server.
 Examples:
   strandline serve lion.svg
