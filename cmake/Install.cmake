@@ -27,10 +27,10 @@ set(CPACK_PACKAGE_VENDOR "Strandline")
 set(CPACK_PACKAGE_CONTACT "Strandline maintainers")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "drivable paths for drawing robots")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Strandline turns a drawing (SVG, picture or text) into one drivable path for a
- drawing robot on beach, turf or paper: order of the strokes, fills, corners,
- curves within the robot's limits and a timed trajectory, proved from its file.
- It comes with an editor in the browser (strandline serve) and writes what
- robots, maps, ROS, ArduPilot, plotters and sand tables read.")
+drawing robot on beach, turf or paper: order of the strokes, fills, corners,
+curves within the robot's limits and a timed trajectory, proved from its file.
+It comes with an editor in the browser (strandline serve) and writes what
+robots, maps, ROS, ArduPilot, plotters and sand tables read.")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)

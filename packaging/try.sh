@@ -17,6 +17,7 @@ before=$(standing)
 cp "$package" "$root/tmp/strandline.deb"
 inside apt-get install -y -q --no-install-recommends /tmp/strandline.deb
 echo "ok: installed, $(inside dpkg-query -W -f '${Version} for ${Architecture}, ${Installed-Size} kB' strandline)"
+standing | grep '^/usr/bin/strandline$'  # or the comparison at the end would prove nothing
 
 inside strandline --version
 drawings=/usr/share/doc/strandline/drawings
