@@ -47,7 +47,8 @@ struct Job {
 
 Outcome<void> make(Job& job, const std::string& bytes, const Batch& batch) {
     const std::string title = file_name(job.item.input);
-    const Progress progress = limited(batch.progress, batch.asked.wishes.options);
+    const auto& tour = batch.asked.wishes.options.tour;
+    const Progress progress = limited(batch.progress, tour.time_limit, tour.threads);
     const auto refused = [&](const Error& error) {
         return tl::unexpected(in_file(error, title, job.item.input));
     };

@@ -28,5 +28,8 @@ void show_bar(const std::string& what, double share);
 /// Draws a progress bar on stderr when that is a terminal; stops on Ctrl-C (first time: the best so far;
 /// second time: at once).
 Progress console_progress(bool quiet);
+/// That stops also when so many seconds of processor time have been used, 0: as it is: of the thread that
+/// calls this, or of the whole program where the search has `threads` of its own.
+Progress limited(Progress progress, double seconds, int threads = 1);
 
 }  // namespace strandline::cli

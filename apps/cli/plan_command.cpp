@@ -90,7 +90,8 @@ int plan(const PlanArguments& arguments, const Common& common) {
     if (const auto apart = outputs_apart(arguments); !apart) return complain(apart.error(), bad_call);
     const Wishes& wishes = asked->wishes;
     const bool lettering = !arguments.lettering.text.empty();
-    const Progress progress = limited(console_progress(common.quiet), wishes.options);
+    const Progress progress =
+        limited(console_progress(common.quiet), wishes.options.tour.time_limit, wishes.options.tour.threads);
     const auto document = lettering ? lettered(arguments.lettering) : read_drawing(arguments, wishes.options);
     const std::string title = lettering                ? "text"
                               : arguments.input == "-" ? "stdin"

@@ -1,23 +1,15 @@
 #include "planning.hpp"
 
 #include <fmt/format.h>
-#include <pthread.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "base/units/units.hpp"
 #include "plan/pipeline/pipeline.hpp"
 
 namespace strandline::cli {
 namespace {
-
-double seconds_of(clockid_t clock) {
-    timespec now{};
-    clock_gettime(clock, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The largest drawing whose drive takes at most `most` seconds: the width is halved between one that fits
 /// and one that does not. A plan is made for each; time grows with the width, nearly always.
@@ -68,20 +60,6 @@ Outcome<Asked> asked_of(const PlanArguments& arguments) {
     if (!(*limit > 0)) return fail("--max-time", "is not above 0", "write for example 40min");
     asked.most_time = *limit;
     return asked;
-}
-
-Progress limited(Progress progress, const Options& options) {
-    const double seconds = options.tour.time_limit;
-    if (seconds <= 0) return progress;
-    clockid_t clock = CLOCK_PROCESS_CPUTIME_ID;
-    if (options.tour.threads <= 1) pthread_getcpuclockid(pthread_self(), &clock);
-    const auto asked = progress.stopped;
-    const auto used = [clock, begin = seconds_of(clock), seconds] {
-        return (seconds_of(clock) - begin) / seconds;
-    };
-    progress.time_used = used;
-    progress.stopped = [asked, used] { return asked() || used() >= 1; };
-    return progress;
 }
 
 Outcome<Plan> planned(const svg::Document& document, const std::string& title, const Asked& asked,

@@ -16,10 +16,6 @@ struct Asked {
 /// Error: the call is at fault.
 Outcome<Asked> asked_of(const PlanArguments& arguments);
 
-/// Stops the search when the user says so, or the time limit of these options: processor time of the thread
-/// that calls this, or of the whole program where the search has several threads.
-Progress limited(Progress progress, const Options& options);
-
 /// The plan that is asked for, signed by this program. Errors as make_plan, and --max-time that cannot be
 /// kept.
 Outcome<Plan> planned(const svg::Document& document, const std::string& title, const Asked& asked,

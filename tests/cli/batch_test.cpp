@@ -129,6 +129,9 @@ TEST(Batch, WhatIsForOneDrawingIsRefused) {
     expect_refused(folder, "plan --out-dir out", 2, "missing");
     expect_refused(folder, "plan a.svg -j 2", 2, "--out-dir");
     expect_refused(folder, "plan a.svg b.svg --out-dir out --set fill.style=swirl", 2, "fill.style");
+    expect_refused(folder,
+                   "plan a.svg b.svg --out-dir out -j 2 --set tour.threads=2 --set tour.time_limit=1s", 2,
+                   "tour.threads=1");
     write(folder / "file", "");
     expect_refused(folder, "plan a.svg --out-dir file", 2, "no folder");
 }
