@@ -106,23 +106,25 @@ Outcome<void> done_with(Job& job, Batch& batch) {
     return make(job, *bytes, batch);
 }
 
-void tell(const Job& job, Batch& batch) {
+void show_count(const Batch& batch) {
+    if (batch.common.quiet || batch.finished == batch.items.size()) return;
+    show_bar(fmt::format("{} of {}", batch.finished, batch.items.size()),
+             static_cast<double>(batch.finished) / static_cast<double>(batch.items.size()));
+}
+
+void tell(const Job& job, const Batch& batch) {
     show_bar("", 1);
     const BatchItem& item = job.item;
     if (item.state == State::failed) complain(item.error, bad_input);
-    if (!batch.common.quiet) {
-        fmt::print(stderr, "{}/{} {}: {}\n", batch.finished, batch.items.size(), item.input,
-                   outcome_text(item));
-        std::string_view left = job.remarks;
-        while (!left.empty()) {
-            const std::size_t end = left.find('\n');
-            fmt::print(stderr, "  {}\n", left.substr(0, end));
-            left.remove_prefix(end + 1);
-        }
-        if (batch.finished < batch.items.size())
-            show_bar(fmt::format("{} of {}", batch.finished, batch.items.size()),
-                     static_cast<double>(batch.finished) / static_cast<double>(batch.items.size()));
+    if (batch.common.quiet) return;
+    fmt::print(stderr, "{}/{} {}: {}\n", batch.finished, batch.items.size(), item.input, outcome_text(item));
+    std::string_view left = job.remarks;
+    while (!left.empty()) {
+        const std::size_t end = left.find('\n');
+        fmt::print(stderr, "  {}\n", left.substr(0, end));
+        left.remove_prefix(end + 1);
     }
+    show_count(batch);
 }
 
 /// Takes the next drawing until there is none, or the user wants no more.
@@ -203,6 +205,7 @@ int plan_all(const BatchArguments& arguments, const PlanArguments& each, const C
                 {},
                 {},
                 0};
+    show_count(batch);
     std::vector<std::future<void>> threads;
     for (int k = 0; k < arguments.jobs; ++k)
         threads.push_back(std::async(std::launch::async, [&batch] { work(batch); }));
