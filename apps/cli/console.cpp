@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -140,6 +141,17 @@ Progress console_progress(bool quiet) {
             if (share >= 1) fmt::print(stderr, "\r\033[K");
         };
     }
+    return progress;
+}
+
+Progress limited(Progress progress, double seconds) {
+    if (seconds <= 0) return progress;
+    const auto asked = progress.stopped;
+    const auto used = [begin = std::clock(), seconds] {
+        return static_cast<double>(std::clock() - begin) / (seconds * CLOCKS_PER_SEC);
+    };
+    progress.time_used = used;
+    progress.stopped = [asked, used] { return asked() || used() >= 1; };
     return progress;
 }
 

@@ -26,5 +26,7 @@ void warn(const Warnings& warnings, bool quiet);
 /// Draws a progress bar on stderr when that is a terminal; stops on Ctrl-C (first time: the best so far;
 /// second time: at once).
 Progress console_progress(bool quiet);
+/// That stops also when so many seconds of processor time have been used; 0: as it is.
+Progress limited(Progress progress, double seconds);
 
 }  // namespace strandline::cli

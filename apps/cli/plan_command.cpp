@@ -4,7 +4,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <future>
 
@@ -23,18 +22,6 @@ namespace strandline::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Stops the search when the user or the time limit says so.
-Progress limited(Progress progress, double seconds) {
-    if (seconds <= 0) return progress;
-    const auto asked = progress.stopped;
-    const auto used = [begin = std::clock(), seconds] {
-        return static_cast<double>(std::clock() - begin) / (seconds * CLOCKS_PER_SEC);
-    };
-    progress.time_used = used;
-    progress.stopped = [asked, used] { return asked() || used() >= 1; };
-    return progress;
-}
 
 /// Opens a picture with the desktop's own viewer, without waiting for it to close. False: there is none.
 bool open_picture(const std::string& path) {
