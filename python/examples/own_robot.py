@@ -59,8 +59,8 @@ def main():
         report = sim.report
         print(f"driven {name}: intersection over union {report['intersection_over_union']:.3f}, "
               f"lines off by {1000 * report['lateral_rms']:.0f} mm (rms)")
-    (arguments.out / "sand.png").write_bytes(driven.png(800))
-    (arguments.out / "flaws.png").write_bytes(driven.png(800, flaws=True))
+    (arguments.out / "sand.png").write_bytes(driven.png(480))
+    (arguments.out / "flaws.png").write_bytes(driven.png(480, flaws=True))
     print(f"mine.toml, plan.json, sand.png and flaws.png are in {arguments.out}")
 
 

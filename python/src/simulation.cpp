@@ -157,8 +157,6 @@ void add_simulation(py::module_& module) {
     using py::arg;
     py::class_<Simulation>(module, "Simulation", "What a drive left in the sand.")
         .def_property_readonly("cell", [](const Simulation& s) { return s.judged->report.cell; })
-        .def_property_readonly(
-            "canvas", [](const Simulation& s) { return py::make_tuple(s.canvas.width, s.canvas.height); })
         .def_property_readonly("lost", [](const Simulation& s) { return s.driven && s.driven->lost; })
         .def("report_json", [](const Simulation& s) { return s.report; })
         .def("bits", &bits)

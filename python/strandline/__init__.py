@@ -12,7 +12,9 @@ Metres, seconds, radians, y up, angles counter-clockwise. docs/python.md has the
 from ._core import version as __version__
 from ._errors import InputError, Notice, StrandlineWarning
 from ._lists import fonts, formats, robot, robot_toml, robots, settings
-from ._plan import MOTIONS, Connection, Element, Plan, Stroke, Trajectory, load, plan, plan_svg, plan_text
+from ._parts import MOTIONS, Connection, Element, Stroke, Trajectory
+from ._plan import Plan
+from ._planning import load, plan, plan_svg, plan_text
 from ._simulation import Sand, Simulation
 from ._stages import DrivenCurve, Filled, Move, RobotPath, Tour, connect, convert, fill, tour
 

@@ -6,6 +6,7 @@ import json
 from typing import Any
 
 from . import _core, _texts
+from ._types import Robot
 
 
 def settings() -> list[dict[str, Any]]:
@@ -19,14 +20,14 @@ def robots() -> list[str]:
     return _core.robots()
 
 
-def robot(robot: _texts.Robot) -> dict[str, Any]:
+def robot(robot: Robot) -> dict[str, Any]:
     """A robot's whole profile: every field, metres, seconds and radians; wheels (x, y, width) and rake_rules
     (up_to, pins) as lists. What comes back can be changed and given to plan(). InputError: no such robot, or a
     field out of its range."""
     return dict(json.loads(_core.robot_json(*_texts.robot_texts(robot))))
 
 
-def robot_toml(robot: _texts.Robot) -> str:
+def robot_toml(robot: Robot) -> str:
     """The same as the text of a profile file, each field with its unit and meaning."""
     return _core.robot_toml(*_texts.robot_texts(robot))
 

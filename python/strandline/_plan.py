@@ -1,99 +1,20 @@
-"""Plans: made from drawings, read, changed, proved, simulated, exported."""
+"""A finished plan: read, changed, proved, simulated, exported."""
 
 from __future__ import annotations
 
 import functools
 import json
-import os
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Union, overload
 
 import numpy as np
 
 from . import _core, _texts
 from ._errors import InputError, Notice, StrandlineWarning
+from ._parts import Connection, Element, Stroke, Trajectory, driven, element_of, frozen
 from ._simulation import Simulation
-
-#: Called with what is being done and how much of it is done, 0 to 1. False: stop, keep the best so far.
-Progress = Callable[[str, float], Any]
-Edit = Mapping[str, Any]
-
-#: What `Trajectory.motion` counts in: rake down; rake up on a stroke's extension, round a corner, between
-#: strokes; turning on the spot.
-MOTIONS = ("draw", "lead", "loop", "connect", "pivot")
-
-
-def _frozen(columns: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    for column in columns.values():
-        column.setflags(write=False)
-    return columns
-
-
-@dataclass(frozen=True, eq=False)
-class Trajectory:
-    """The timed drive, a row a sample; all arrays have the shape (N,) and cannot be written to.
-
-    P is the robot's turning point, Q the middle of its rake. Metres, seconds, radians, y up, angles
-    counter-clockwise; headings are not wrapped.
-    """
-
-    s: np.ndarray  #: m driven by P
-    t: np.ndarray  #: s
-    x: np.ndarray  #: m, of P
-    y: np.ndarray  #: m, of P
-    heading: np.ndarray  #: rad, of P
-    curvature: np.ndarray  #: 1/m of P's path, positive to the left
-    v: np.ndarray  #: m/s
-    omega: np.ndarray  #: rad/s
-    pins: np.ndarray  #: uint32, mask of the pins down to the next sample; highest used bit: the leftmost
-    rake_x: np.ndarray  #: m, of Q
-    rake_y: np.ndarray  #: m, of Q
-    motion: np.ndarray  #: uint8, to the next sample, counts in MOTIONS
-    stroke: np.ndarray  #: int32, drawn from here to the next sample, in driving order; -1: none
-
-    def __len__(self) -> int:
-        return len(self.t)
-
-
-@dataclass(frozen=True, eq=False)
-class Element:
-    """Something that is to be drawn: a line, or an area with holes. Metres."""
-
-    id: str
-    kind: str  #: "line" or "area"
-    layer: str
-    points: np.ndarray  #: (N, 2): the line, or the area's outline, its first point not repeated
-    closed: bool
-    pins: int  #: of a line; 0 of an area
-    holes: tuple[np.ndarray, ...]  #: of an area, (N, 2) each
-    inside: int  #: the smallest element that encloses this one, -1: none
-    hints: dict[str, str]  #: what the drawing asks for it
-
-
-@dataclass(frozen=True, eq=False)
-class Stroke:
-    """One go of the rake, as it is driven."""
-
-    element: int  #: counts in Plan.elements
-    points: np.ndarray  #: (N, 2), m: the rake's path
-    closed: bool
-    fill: bool  #: of an area
-    pins: int
-    entry: int  #: the node where it is entered
-    reversed: bool
-
-
-@dataclass(frozen=True, eq=False)
-class Connection:
-    """What is driven rake up from one stroke to the next."""
-
-    start: int  #: the stroke that was drawn; -1: where the robot was parked
-    end: int  #: the stroke that is drawn next; -1: the exit
-    turn_before: float  #: rad, on the spot
-    turn_after: float
-    states: np.ndarray  #: (N, 4): x, y, heading, curvature of P
+from ._types import Edit, PathText, Progress
 
 
 class Plan:
@@ -145,14 +66,14 @@ class Plan:
     @functools.cached_property
     def trajectory(self) -> Trajectory:
         """The timed drive as NumPy arrays."""
-        columns = _frozen(self._core.samples())
-        return Trajectory(s=_driven(columns), **columns)
+        columns = frozen(self._core.samples())
+        return Trajectory(s=driven(columns), **columns)
 
     @functools.cached_property
     def elements(self) -> list[Element]:
         """What was to be drawn; curves as chords within 2 mm (a sheet of paper: less)."""
         tolerance = float(self.settings["drawing.tolerance"])
-        return [_element(row) for row in self._core.elements(tolerance)]
+        return [element_of(row) for row in self._core.elements(tolerance)]
 
     @functools.cached_property
     def strokes(self) -> list[Stroke]:
@@ -245,16 +166,16 @@ class Plan:
 
     @overload
     def export(self, format: str, path: None = None, *, robot_path: bool = ...,
-               config: Union[_texts.PathText, Iterable[_texts.PathText]] = ...,
+               config: Union[PathText, Iterable[PathText]] = ...,
                settings: Mapping[str, Any] | None = ..., **more: Any) -> dict[str, bytes]: ...
 
     @overload
-    def export(self, format: str, path: _texts.PathText, *, robot_path: bool = ...,
-               config: Union[_texts.PathText, Iterable[_texts.PathText]] = ...,
+    def export(self, format: str, path: PathText, *, robot_path: bool = ...,
+               config: Union[PathText, Iterable[PathText]] = ...,
                settings: Mapping[str, Any] | None = ..., **more: Any) -> list[str]: ...
 
-    def export(self, format: str, path: _texts.PathText | None = None, *, robot_path: bool = False,
-               config: Union[_texts.PathText, Iterable[_texts.PathText]] = (),
+    def export(self, format: str, path: PathText | None = None, *, robot_path: bool = False,
+               config: Union[PathText, Iterable[PathText]] = (),
                settings: Mapping[str, Any] | None = None,
                **more: Any) -> Union[dict[str, bytes], list[str]]:
         """The plan for other programs and machines (docs/exports.md; strandline.formats() lists them).
@@ -284,7 +205,7 @@ class Plan:
             warnings.warn(str(Notice(*pair)), StrandlineWarning, stacklevel=2)
         return dict(files) if path is None else files
 
-    def save(self, path: _texts.PathText) -> None:
+    def save(self, path: PathText) -> None:
         """Writes the plan file, which every command of the program reads; InputError where it cannot."""
         _core.write_file(_texts.path_text(path), self._core.plan_text())
 
@@ -327,152 +248,8 @@ class Plan:
                 f"{len(self.warnings) + len(self.idle_edits)} warnings>")
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _read, (self._core.plan_text(), self.title)
+        return _from_text, (self._core.plan_text(), self.title)
 
 
-def _driven(columns: dict[str, np.ndarray]) -> np.ndarray:
-    """m driven by P up to each sample: circular arcs between neighbours."""
-    s = np.zeros(len(columns["t"]))
-    if len(s) > 1:
-        half = np.diff(columns["heading"]) / 2
-        half -= np.pi * np.round(half / np.pi)
-        chord = np.hypot(np.diff(columns["x"]), np.diff(columns["y"]))
-        np.cumsum(chord / np.sinc(half / np.pi), out=s[1:])
-    s.setflags(write=False)
-    return s
-
-
-def _element(row: dict[str, Any]) -> Element:
-    if row["kind"] == "line":
-        return Element(holes=(), **row)
-    points, holes = row.pop("outer"), tuple(row.pop("holes"))
-    return Element(points=points, holes=holes, closed=True, pins=0, **row)
-
-
-def _call(robot: _texts.Robot | None, config: Any, pairs: list[str]) -> _core.Call:
-    call = _core.Call()
-    call.robot, call.profile = _texts.robot_texts(robot)
-    call.configs = _texts.paths(config)
-    call.settings = pairs
-    return call
-
-
-def _planned(source: bytes, title: str, place: str, *, robot: _texts.Robot | None, canvas: Any,
-             fit: str, margin: Any, config: Any, settings: Mapping[str, Any] | None,
-             edits: Iterable[Edit], border: Any, keep_out: Any, start: Any, end: Any, park: Any, exit: Any,
-             progress: Progress | None, more: Mapping[str, Any]) -> Plan:
-    call = _call(robot, config, _texts.setting_lines(settings, more, "plan"))
-    call.canvas = _texts.canvas_text(canvas)
-    call.place = fit
-    call.margin = _texts.quantity(margin, "margin")
-    call.border = _texts.outline_text(border, "border")
-    call.keep_outs = _texts.outline_texts(keep_out, "keep_out")
-    call.start = _texts.pose_text(start, "start", (2,))
-    call.end = _texts.pose_text(end, "end", (2,))
-    call.park = _texts.pose_text(park, "park")
-    call.exit = _texts.pose_text(exit, "exit")
-    return Plan(_core.plan(source, title, place, call, _texts.json_text(list(edits)), progress))
-
-
-def plan(drawing: _texts.PathText, *, robot: _texts.Robot | None = None, canvas: Any = None, place: str = "",
-         margin: Any = None, config: Union[_texts.PathText, Iterable[_texts.PathText]] = (),
-         settings: Mapping[str, Any] | None = None, edits: Iterable[Edit] = (), border: Any = None,
-         keep_out: Any = (), start: Any = None, end: Any = None, park: Any = None, exit: Any = None,
-         progress: Progress | None = None, **more: Any) -> Plan:
-    """Plans a drawing: strokes, fills, their order, the whole drive, timed.
-
-    Deterministic: the same input gives the same plan, unless `tour.time_limit` or you stop the search.
-
-    Args:
-        drawing: path of an SVG, PNG or JPEG.
-        robot: a built-in name (strandline.robots()), the path of a profile (.toml), or a dict of its fields,
-            ``{"base": "beachbot", "min_radius": 0.8}``; default beachbot.
-        canvas: "14x14", "A4", a side in metres, or (width, height) in metres.
-        place: "fit" (default), "actual", "width=10m" or "scale=1:50".
-        margin: metres, or a text such as "40cm".
-        config: settings files (TOML), later ones over earlier ones.
-        settings: by key, ``{"fill.style": "zigzag", "fill.spacing": "36cm"}``; keywords do the same:
-            ``fill_style="zigzag"``. Numbers are metres, seconds and radians, texts as on the command line.
-            strandline.settings() lists them all.
-        edits: dicts as in docs/plan-format.md.
-        border, keep_out: where the robot may drive and where not: arrays of shape (N, 2) in metres, texts
-            ("3,3 5,3 5,6") or paths of GeoJSON files; keep_out takes several.
-        start, end: (x, y) where the drive begins and ends, m.
-        park, exit: (x, y) or (x, y, heading in radians) where the robot stands before and goes after; exit
-            may be "parked" or "outside".
-        progress: called with what is being done and the share of it, 0 to 1, some thirty times a second. An
-            exception in it ends the planning and is raised from here, as Ctrl-C does; if it returns False,
-            the best plan so far comes back.
-
-    Returns:
-        The plan; what fell short is in its warnings, undrivable, blemishes, bare and idle_edits.
-
-    Raises:
-        InputError: the drawing or an argument cannot be used; it carries place, reason and remedy.
-        TypeError: an argument of another kind.
-    """
-    path = _texts.path_text(drawing)
-    source = _core.read_file(path)
-    return _planned(source, os.path.basename(path), path, robot=robot, canvas=canvas, fit=place,
-                    margin=margin, config=config, settings=settings, edits=edits, border=border,
-                    keep_out=keep_out, start=start, end=end, park=park, exit=exit, progress=progress,
-                    more=more)
-
-
-def plan_svg(text: Union[str, bytes], *, title: str = "drawing", robot: _texts.Robot | None = None,
-             canvas: Any = None, place: str = "", margin: Any = None,
-             config: Union[_texts.PathText, Iterable[_texts.PathText]] = (),
-             settings: Mapping[str, Any] | None = None, edits: Iterable[Edit] = (), border: Any = None,
-             keep_out: Any = (), start: Any = None, end: Any = None, park: Any = None, exit: Any = None,
-             progress: Progress | None = None, **more: Any) -> Plan:
-    """Plans a drawing that is at hand: the text of an SVG, or the bytes of one or of a PNG or JPEG.
-
-    All else as plan(); errors name the drawing by `title`.
-    """
-    if not isinstance(text, (str, bytes)):
-        raise TypeError(f"text must be str or bytes, not {type(text).__name__}")
-    source = text.encode() if isinstance(text, str) else text
-    return _planned(source, title, title, robot=robot, canvas=canvas, fit=place, margin=margin,
-                    config=config, settings=settings, edits=edits, border=border, keep_out=keep_out,
-                    start=start, end=end, park=park, exit=exit, progress=progress, more=more)
-
-
-def plan_text(text: str, *, font: str = "rowmans", height: float | None = None, align: str = "left",
-              line_spacing: float = 1.6, robot: _texts.Robot | None = None, canvas: Any = None,
-              place: str = "", margin: Any = None,
-              config: Union[_texts.PathText, Iterable[_texts.PathText]] = (),
-              settings: Mapping[str, Any] | None = None, edits: Iterable[Edit] = (), border: Any = None,
-              keep_out: Any = (), start: Any = None, end: Any = None, park: Any = None, exit: Any = None,
-              progress: Progress | None = None, **more: Any) -> Plan:
-    """Plans words, written in single lines (Hershey fonts; strandline.fonts() lists them).
-
-    Args:
-        height: m, of capital letters; None: as large as the canvas allows.
-        align: "left", "centre" or "right".
-        line_spacing: from line to line, in heights.
-
-    All else as plan().
-    """
-    source, notices = _core.lettered(text, font, _texts.number(1 if height is None else height, "height"),
-                                     align, _texts.number(line_spacing, "line_spacing"))
-    for pair in notices:
-        warnings.warn(str(Notice(*pair)), StrandlineWarning, stacklevel=2)
-    if not place and height is not None:
-        place = "actual"
-    return _planned(source, "text", "text", robot=robot, canvas=canvas, fit=place, margin=margin,
-                    config=config, settings=settings, edits=edits, border=border, keep_out=keep_out,
-                    start=start, end=end, park=park, exit=exit, progress=progress, more=more)
-
-
-def _read(text: bytes, place: str) -> Plan:
-    return Plan(_core.read_plan(text, place))
-
-
-def load(path: _texts.PathText) -> Plan:
-    """Reads a plan file, bit for bit. It does not hold the drawing's source, so edited() needs plan() again.
-
-    Raises:
-        InputError: not a plan, another version, or a value that is missing or wrong, by its place.
-    """
-    name = _texts.path_text(path)
-    return Plan(_core.read_plan(_core.read_file(name), name))
+def _from_text(text: bytes, title: str) -> Plan:
+    return Plan(_core.read_plan(text, title))

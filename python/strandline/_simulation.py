@@ -5,12 +5,10 @@ from __future__ import annotations
 import enum
 import functools
 import json
-from collections.abc import Callable
 from typing import Any
 
-import numpy as np
-
 from . import _core
+from ._types import Bytes, Progress, SmallInts
 
 
 class Sand(enum.IntFlag):
@@ -46,12 +44,12 @@ class Simulation:
         return self._core.lost
 
     @functools.cached_property
-    def sand(self) -> np.ndarray:
+    def sand(self) -> Bytes:
         """uint8, (rows, columns): bits of Sand. Row 0 lies at the canvas's lower edge, column 0 at its left."""
         return self._core.bits()
 
     @functools.cached_property
-    def height(self) -> np.ndarray:
+    def height(self) -> SmallInts:
         """int8, (rows, columns): of the sand, hundredths of a groove's depth; 0: as it lay."""
         return self._core.heights()
 
@@ -63,12 +61,12 @@ class Simulation:
         return 0.0, columns * self.cell, 0.0, rows * self.cell
 
     @functools.cached_property
-    def log(self) -> dict[str, np.ndarray]:
+    def log(self) -> dict[str, Any]:
         """How the controller drove, a tick a row, (N,) each: t, planned_t (s), x, y, heading, v, omega, rake_x,
         rake_y, pins, off (m from the rake to its planned path while drawing). Empty without a controller."""
         return self._core.log()
 
-    def picture(self, pixels: int = 1200, *, flaws: bool = False) -> np.ndarray:
+    def picture(self, pixels: int = 1200, *, flaws: bool = False) -> Bytes:
         """uint8, (rows, columns, 3) from the upper left: the sand seen from above with the sun in the upper
         left, or what is wrong with it, each kind in a colour. `pixels`: of the longer side, 16 to 16000."""
         return self._core.image(pixels, flaws)
@@ -78,7 +76,7 @@ class Simulation:
         return self._core.png(pixels, flaws)
 
     def gif(self, pixels: int = 480, *, seconds: float = 15,
-            progress: Callable[[str, float], Any] | None = None) -> bytes:
+            progress: Progress | None = None) -> bytes:
         """The drawing as it appears, a film of so many seconds."""
         return self._core.gif(pixels, seconds, progress)
 

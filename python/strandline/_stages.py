@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Union
 
@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _core, _texts
 from ._errors import InputError, Notice, StrandlineWarning
-
-Progress = Callable[[str, float], Any]
+from ._types import Flags, Floats, Indices, Masks, Progress, Robot
 
 
 def _warn(pairs: Iterable[tuple[str, str]]) -> list[Notice]:
@@ -28,7 +27,7 @@ def _warn(pairs: Iterable[tuple[str, str]]) -> list[Notice]:
 class Move:
     """A piece of the drive of a fill."""
 
-    points: np.ndarray  #: (N, 2), of the rake
+    points: Floats  #: (N, 2), of the rake
     pins: int  #: mask of the pins that are down, highest used bit the leftmost; 0: rake up
 
 
@@ -41,7 +40,7 @@ class Filled:
     warnings: list[Notice]
 
     @property
-    def strokes(self) -> list[np.ndarray]:
+    def strokes(self) -> list[Floats]:
         """The moves with the rake down, (N, 2) each."""
         return [move.points for move in self.moves if move.pins]
 
@@ -50,7 +49,7 @@ def fill(outer: ArrayLike, holes: Iterable[ArrayLike] = (), *, width: float, sty
          spacing: float | None = None, inset: str = "offset", join: str = "half-step",
          direction: float | None = None, partition: str = "fitted", cuts: Iterable[ArrayLike] = (),
          segments: str = "", narrow: str = "single-pass", shift: float = 3, one_stroke: bool = False,
-         pins: int | None = None, vehicle: _texts.Robot = "free",
+         pins: int | None = None, vehicle: Robot = "free",
          progress: Progress | None = None) -> Filled:
     """The strokes that rake a polygon.
 
@@ -100,14 +99,14 @@ def fill(outer: ArrayLike, holes: Iterable[ArrayLike] = (), *, width: float, sty
 class Tour:
     """An order of elements and where each is entered; arrays of shape (N,), in drawing order."""
 
-    order: np.ndarray  #: int32: the element
-    entry: np.ndarray  #: int32: its point that it is entered at
-    reversed: np.ndarray  #: bool: an open line run backwards, a closed one with its sense turned
+    order: Indices  #: int32: the element
+    entry: Indices  #: int32: its point that it is entered at
+    reversed: Flags  #: bool: an open line run backwards, a closed one with its sense turned
     length: float  #: of the straight rake-up legs
     proven_optimal: bool
     reproducible: bool  #: False: a time limit or you ended the search
     moves: int  #: of the budget, used
-    at: np.ndarray | None  #: (N, 2), with on_edges: where each is entered
+    at: Floats | None  #: (N, 2), with on_edges: where each is entered
     length_on_edges: float | None
 
 
@@ -171,12 +170,12 @@ def tour(elements: Iterable[Union[ArrayLike, Mapping[str, Any]]], *, start: Sequ
 class DrivenCurve:
     """A curve that the robot drives; columns of shape (N,) at equal steps."""
 
-    s: np.ndarray  #: m
-    x: np.ndarray  #: m
-    y: np.ndarray  #: m
-    heading: np.ndarray  #: rad
-    curvature: np.ndarray  #: 1/m, positive to the left
-    pieces: np.ndarray  #: (M, 3): clothoids end to end, each length, curvature at its start, sharpness (1/m^2)
+    s: Floats  #: m
+    x: Floats  #: m
+    y: Floats  #: m
+    heading: Floats  #: rad
+    curvature: Floats  #: 1/m, positive to the left
+    pieces: Floats  #: (M, 3): clothoids end to end, each length, curvature at its start, sharpness (1/m^2)
     length: float  #: m
     round_obstacles: bool  #: the curve of its own came too near to an obstacle
     fallback: str  #: the limit that the style would break, where the curve is bounded instead; "" if none
@@ -236,17 +235,17 @@ def connect(start: Sequence[float], end: Sequence[float], *, radius: float = 0.5
 class RobotPath:
     """The robot path that makes the rake follow a path; columns of shape (N,), a row a point given."""
 
-    x: np.ndarray  #: m, of the turning point
-    y: np.ndarray  #: m
-    heading: np.ndarray  #: rad
-    curvature: np.ndarray  #: 1/m
-    rake_x: np.ndarray  #: m: where the rake really is
-    rake_y: np.ndarray  #: m
-    pins: np.ndarray  #: uint32, mask
+    x: Floats  #: m, of the turning point
+    y: Floats  #: m
+    heading: Floats  #: rad
+    curvature: Floats  #: 1/m
+    rake_x: Floats  #: m: where the rake really is
+    rake_y: Floats  #: m
+    pins: Masks  #: uint32, mask
     warnings: list[Notice]  #: spans that the rake cannot follow
 
 
-def convert(rake_path: ArrayLike, *, robot: _texts.Robot = "beachbot",
+def convert(rake_path: ArrayLike, *, robot: Robot = "beachbot",
             pins: Union[int, ArrayLike, None] = None) -> RobotPath:
     """The rake's path -> the robot's: one stroke.
 

@@ -15,9 +15,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._errors import InputError
-
-PathText = Union[str, "os.PathLike[str]"]
-Robot = Union[str, "os.PathLike[str]", Mapping[str, Any]]
+from ._types import Floats, PathText, Robot
 
 
 def path_text(path: PathText) -> str:
@@ -35,7 +33,7 @@ def paths(given: Union[PathText, Iterable[PathText]]) -> list[str]:
 
 def number(value: Any, place: str) -> float:
     """A finite number; a bool is none."""
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (Real, np.generic)):
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, Real):
         raise TypeError(f"{place} must be a number, not {type(value).__name__}")
     result = float(value)
     if not math.isfinite(result):
@@ -94,7 +92,7 @@ def outline_texts(outlines: Any, place: str) -> list[str]:
     return [outline_text(outline, f"{place}[{k}]") for k, outline in enumerate(outlines)]
 
 
-def points(values: ArrayLike, place: str, columns: int = 2) -> np.ndarray:
+def points(values: ArrayLike, place: str, columns: int = 2) -> Floats:
     """(N, columns) of finite float64."""
     try:
         array = np.asarray(values, dtype=np.float64)
