@@ -40,8 +40,19 @@ build_packages=(g++ cmake ninja-build ccache pkg-config libpugixml-dev libpolycl
 # Node.js and npm build the editor's pages: what is on PATH is used, and installed only where nothing is.
 if command -v node >/dev/null && command -v npm >/dev/null; then web_packages=(); else web_packages=(nodejs npm); fi
 browser_packages=(chromium)
-test_packages=(libgtest-dev librapidcheck-dev clang-format python3 librsvg2-bin fonts-dejavu-core gdal-bin python3-yaml python3-jsonschema poppler-utils)
+# What the Python module is built with and needs (docs/python.md).
+python_packages=(pybind11-dev python3-dev python3-numpy)
+test_packages=(libgtest-dev librapidcheck-dev clang-format python3 librsvg2-bin fonts-dejavu-core gdal-bin python3-yaml python3-jsonschema poppler-utils groff-base
+    "${python_packages[@]}" python3-pytest python3-scipy python3-networkx mypy python3-venv python3-pip)
 judge_packages=(python3-shapely python3-numpy python3-scipy)
+
+# Where apt of this machine takes packages from: files for mmdebstrap, which makes other systems from the same place.
+debian_sources() {
+    local file
+    for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; do
+        if [ -s "$file" ]; then echo "$file"; fi
+    done
+}
 
 # The editor's pages, into web/dist: built when there are none or their sources have changed.
 build_web() {

@@ -1,14 +1,14 @@
 #pragma once
 // What each command of the program takes (filled by main.cpp from the command line) and the function that
 // does it. A command returns its exit code: 0 done, 1 the input is at fault, 2 the call is at fault, 3 done,
-// but something falls short.
+// but something falls short, 130 a batch that Ctrl-C ended.
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace strandline::cli {
 
-enum Exit { done = 0, bad_input = 1, bad_call = 2, falls_short = 3 };
+enum Exit { done = 0, bad_input = 1, bad_call = 2, falls_short = 3, stopped_by_user = 130 };
 
 /// What every command understands.
 struct Common {
@@ -52,6 +52,15 @@ struct PlanArguments {
     std::string max_time, split;
 };
 int plan(const PlanArguments& arguments, const Common& common);
+
+/// Several drawings into one folder; what is asked of each is in PlanArguments.
+struct BatchArguments {
+    std::vector<std::string> inputs;
+    std::string folder;
+    int jobs = 1;        ///< plans made at the same time
+    bool force = false;  ///< also those that are up to date
+};
+int plan_all(const BatchArguments& batch, const PlanArguments& each, const Common& common);
 
 struct ExportArguments {
     std::string input, output = "-", format, path = "rake";
@@ -100,8 +109,9 @@ struct SplitArguments {
 int split(const SplitArguments& arguments, const Common& common);
 
 int list_settings(const Common& common);
-/// Without a name: the built-in names; with one: its profile as TOML. As JSON: the robots themselves.
-int show_robot(const std::string& name, const Common& common);
+/// Without a name: the built-in names; with one: its profile as TOML, or a drawing into an .svg file. As JSON:
+/// the robots themselves.
+int show_robot(const std::string& name, const std::string& output, const Common& common);
 
 struct TourArguments {
     std::string input, output = "-";

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -22,6 +24,12 @@ volatile std::sig_atomic_t interrupted = 0;
 void on_interrupt(int) {
     if (interrupted) std::_Exit(130);
     interrupted = 1;
+}
+
+double seconds_of(clockid_t clock) {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace
@@ -125,21 +133,50 @@ void warn(const Warnings& warnings, bool quiet) {
     for (const Warning& warning : warnings) fmt::print(stderr, "warning: {}\n", sentence(warning));
 }
 
+void show_bar(const std::string& what, double share) {
+    if (!isatty(STDERR_FILENO)) return;
+    const int percent = static_cast<int>(100 * share), bars = percent / 5;
+    if (share >= 1)
+        fmt::print(stderr, "\r\033[K");
+    else
+        fmt::print(stderr, "\r\033[K{:<12} [{:#<{}}{:.<{}}] {:3}%", what, "", bars, "", 20 - bars, percent);
+}
+
 Progress console_progress(bool quiet) {
     std::signal(SIGINT, on_interrupt);
     Progress progress;
     progress.stopped = [] { return interrupted != 0; };
-    if (!quiet && isatty(STDERR_FILENO)) {
+    if (!quiet)
         progress.report = [shown = -1](const std::string& what, double share) mutable {
             const int percent = static_cast<int>(100 * share);
             if (percent == shown) return;
             shown = percent;
-            const int bars = percent / 5;
-            fmt::print(stderr, "\r\033[K{:<12} [{:#<{}}{:.<{}}] {:3}%", what, "", bars, "", 20 - bars,
-                       percent);
-            if (share >= 1) fmt::print(stderr, "\r\033[K");
+            show_bar(what, share);
         };
-    }
+    return progress;
+}
+
+Progress limited(Progress progress, double seconds, int threads) {
+    if (seconds <= 0) return progress;
+    clockid_t clock = CLOCK_PROCESS_CPUTIME_ID;
+    if (threads <= 1) pthread_getcpuclockid(pthread_self(), &clock);
+    const auto asked = progress.stopped;
+    const auto used = [clock, begin = seconds_of(clock), seconds] {
+        return (seconds_of(clock) - begin) / seconds;
+    };
+    progress.time_used = used;
+    progress.stopped = [asked, used] { return asked() || used() >= 1; };
+    return progress;
+}
+
+Progress limited(Progress progress, double seconds) {
+    if (seconds <= 0) return progress;
+    const auto asked = progress.stopped;
+    const auto used = [begin = std::clock(), seconds] {
+        return static_cast<double>(std::clock() - begin) / (seconds * CLOCKS_PER_SEC);
+    };
+    progress.time_used = used;
+    progress.stopped = [asked, used] { return asked() || used() >= 1; };
     return progress;
 }
 

@@ -23,8 +23,13 @@ bool same_file(const std::string& a, const std::string& b);
 /// "strandline: place: reason; remedy" on stderr. Gives `exit` back: what the command returns.
 int complain(const Error& error, Exit exit);
 void warn(const Warnings& warnings, bool quiet);
+/// A bar on stderr where that is a terminal, else nothing; share 1 wipes it away.
+void show_bar(const std::string& what, double share);
 /// Draws a progress bar on stderr when that is a terminal; stops on Ctrl-C (first time: the best so far;
 /// second time: at once).
 Progress console_progress(bool quiet);
+/// That stops also when so many seconds of processor time have been used, 0: as it is: of the thread that
+/// calls this, or of the whole program where the search has `threads` of its own.
+Progress limited(Progress progress, double seconds, int threads = 1);
 
 }  // namespace strandline::cli

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "export_formats.hpp"
+#include "result/blueprint/blueprint.hpp"
 #include "result/formats/formats.hpp"
 
 namespace strandline::cli {
@@ -72,10 +73,18 @@ int list_settings(const Common& common) {
     return done;
 }
 
-int show_robot(const std::string& name, const Common& common) {
+int show_robot(const std::string& name, const std::string& output, const Common& common) {
+    if (name.empty() && output != "-")
+        return complain({"-o " + output, "there is no robot to write", "name one, as in robots beachbot"},
+                        bad_call);
     if (!name.empty()) {
         const auto robot = robot_named(name);
         if (!robot) return complain(robot.error(), bad_input);
+        if (output != "-") {
+            const auto written = write_output(
+                output, output.ends_with(".svg") ? blueprint::write_svg(*robot) : write_robot(*robot));
+            return written ? done : complain(written.error(), bad_input);
+        }
         fmt::print("{}", common.json ? formats::write_robot_json(*robot) + '\n' : write_robot(*robot));
         return done;
     }

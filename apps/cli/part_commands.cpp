@@ -20,15 +20,10 @@ Outcome<Plan> read_driven_plan(const std::string& path) {
     if (!text) return tl::unexpected(text.error());
     auto plan = formats::read_plan(*text, path);
     if (!plan) return plan;
-    std::vector<bool> drawn(plan->strokes.size(), false);
-    for (const Sample& sample : plan->samples)
-        if (sample.motion == Motion::draw && sample.stroke >= 0)
-            drawn[static_cast<std::size_t>(sample.stroke)] = true;
-    for (std::size_t k = 0; k < drawn.size(); ++k)
-        if (!drawn[k])
-            return fail(path, fmt::format("stroke {} is never driven", k),
-                        "strandline check says what is wrong");
-    if (drawn.empty()) return fail(path, "has no strokes", "there is nothing to cut");
+    if (auto can = parts::can_be_cut(*plan); !can) {
+        can.error().place = path;
+        return tl::unexpected(can.error());
+    }
     return plan;
 }
 

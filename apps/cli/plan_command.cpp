@@ -4,17 +4,15 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <future>
 
-#include "arguments.hpp"
-#include "base/units/units.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "fonts.hpp"
 #include "part_plans.hpp"
 #include "plan/pipeline/pipeline.hpp"
+#include "planning.hpp"
 #include "result/check/check.hpp"
 #include "result/formats/formats.hpp"
 #include "summary.hpp"
@@ -23,18 +21,6 @@ namespace strandline::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Stops the search when the user or the time limit says so.
-Progress limited(Progress progress, double seconds) {
-    if (seconds <= 0) return progress;
-    const auto asked = progress.stopped;
-    const auto used = [begin = std::clock(), seconds] {
-        return static_cast<double>(std::clock() - begin) / (seconds * CLOCKS_PER_SEC);
-    };
-    progress.time_used = used;
-    progress.stopped = [asked, used] { return asked() || used() >= 1; };
-    return progress;
-}
 
 /// Opens a picture with the desktop's own viewer, without waiting for it to close. False: there is none.
 bool open_picture(const std::string& path) {
@@ -87,40 +73,6 @@ Outcome<void> outputs_apart(const PlanArguments& arguments) {
     return {};
 }
 
-/// The largest drawing whose drive takes at most `most` seconds: the width is halved between one that fits
-/// and one that does not. A plan is made for each; time grows with the width, nearly always.
-Outcome<Plan> planned_within(double most, const svg::Document& document, const std::string& title,
-                             const Robot& robot, Options options, const std::vector<Edit>& edits,
-                             const Progress& progress) {
-    auto whole = make_plan(document, title, robot, options, edits, progress);
-    if (!whole || whole->figures.time <= most) return whole;
-    Box box;
-    for (const Element& element : whole->drawing.elements) box = united(box, bounds(element));
-    const double width = box.width();
-    if (!(width > 0)) return fail("--max-time", "the drawing has no width to make smaller", "leave it out");
-    constexpr int halvings = 7;
-    constexpr double least = 0.02;
-    double fits = least, exceeds = 1;
-    Outcome<Plan> best =
-        fail("--max-time", fmt::format("even {:.2f} m wide the drive takes longer", least * width),
-             "allow more time, or draw less");
-    for (int k = 0; k < halvings && !progress.stopped(); ++k) {
-        // Time grows between linearly (lines) and with the square (areas).
-        const double share =
-            k == 0 ? std::max(least, std::sqrt(most / whole->figures.time)) : std::sqrt(fits * exceeds);
-        options.place.mode = "width";
-        options.place.width = share * width;
-        auto plan = make_plan(document, title, robot, options, edits, progress);
-        if (plan && plan->figures.time <= most) {
-            fits = share;
-            best = std::move(plan);
-        } else {
-            exceeds = share;
-        }
-    }
-    return best;
-}
-
 Outcome<void> show(const Plan& plan, const PlanArguments& arguments) {
     const std::string picture = picture_path(arguments);
     const auto written = write_output(picture, formats::write_svg(plan));
@@ -133,36 +85,23 @@ Outcome<void> show(const Plan& plan, const PlanArguments& arguments) {
 
 int plan(const PlanArguments& arguments, const Common& common) {
     if (const auto one = one_input(arguments); !one) return complain(one.error(), bad_call);
-    const auto wishes = gathered(arguments);
-    if (!wishes) return complain(wishes.error(), bad_call);
-    const auto robot = robot_of(*wishes);
-    if (!robot) return complain(robot.error(), bad_call);
-    if (const auto fits = valid(wishes->options, *robot); !fits) return complain(fits.error(), bad_call);
+    const auto asked = asked_of(arguments);
+    if (!asked) return complain(asked.error(), bad_call);
     if (const auto apart = outputs_apart(arguments); !apart) return complain(apart.error(), bad_call);
+    const Wishes& wishes = asked->wishes;
     const bool lettering = !arguments.lettering.text.empty();
-    const Progress progress = limited(console_progress(common.quiet), wishes->options.tour.time_limit);
-    const auto document =
-        lettering ? lettered(arguments.lettering) : read_drawing(arguments, wishes->options);
+    const Progress progress =
+        limited(console_progress(common.quiet), wishes.options.tour.time_limit, wishes.options.tour.threads);
+    const auto document = lettering ? lettered(arguments.lettering) : read_drawing(arguments, wishes.options);
     const std::string title = lettering                ? "text"
                               : arguments.input == "-" ? "stdin"
                                                        : fs::path(arguments.input).filename().string();
-    // Files are named in front of the place in them.
-    const auto refuse = [&](Error error) {
-        if (error.place.empty() || error.place == title)
-            error.place = lettering ? "text" : arguments.input;
-        else if (!lettering && error.place != arguments.input)
-            error.place = arguments.input + ", " + error.place;
-        return complain(error, fault_of(error));
+    const auto refuse = [&](const Error& error) {
+        if (!lettering) return complain(in_file(error, title, arguments.input), fault_of(error));
+        return complain(error.place.empty() ? Error{title, error.reason, error.remedy} : error,
+                        fault_of(error));
     };
     if (!document) return refuse(document.error());
-    double most_time = 0;
-    if (!arguments.max_time.empty()) {
-        const auto limit = parse_duration(arguments.max_time, "--max-time");
-        if (!limit) return complain(limit.error(), bad_call);
-        if (!(*limit > 0))
-            return complain({"--max-time", "is not above 0", "write for example 40min"}, bad_call);
-        most_time = *limit;
-    }
     parts::Limit limit;
     if (!arguments.split.empty()) {
         const auto read = read_limit(arguments.split, "--split");
@@ -171,11 +110,8 @@ int plan(const PlanArguments& arguments, const Common& common) {
             return complain({"--split", "writes several files", "name them with -o NAME.json"}, bad_call);
         limit = *read;
     }
-    auto made = most_time > 0 ? planned_within(most_time, *document, title, *robot, wishes->options,
-                                               wishes->edits, progress)
-                              : make_plan(*document, title, *robot, wishes->options, wishes->edits, progress);
+    const auto made = planned(*document, title, *asked, progress);
     if (!made) return refuse(made.error());
-    made->program = "strandline " STRANDLINE_VERSION;
     // A long plan takes as long to prove as to write: both only read it, so they go side by side. Where
     // nobody asks for the report, it is never made.
     const bool proof_wanted = !common.quiet || arguments.strict;
@@ -187,7 +123,7 @@ int plan(const PlanArguments& arguments, const Common& common) {
         if (const auto done = write_parts(*made, limit, arguments.output, common.quiet); !done)
             return complain(done.error(), bad_input);
 
-    warn(wishes->warnings, common.quiet);
+    warn(wishes.warnings, common.quiet);
     warn(made->warnings, common.quiet);
     for (const std::string& idle : made->idle_edits)
         if (!common.quiet) fmt::print(stderr, "warning: {}\n", idle);

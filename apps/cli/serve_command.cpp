@@ -71,6 +71,15 @@ fs::path folder_of(const ServeArguments& arguments) {
     return fs::absolute(arguments.input).parent_path();
 }
 
+/// The editor's pages: beside the program where it is installed, else where they are built.
+std::string pages() {
+    std::error_code code;
+    const fs::path installed =
+        fs::read_symlink("/proc/self/exe", code).parent_path() / STRANDLINE_INSTALLED_WEB;
+    return fs::exists(installed / "index.html", code) ? installed.lexically_normal().string()
+                                                      : STRANDLINE_WEB;
+}
+
 /// The project to show first: the one that is named, the one that was begun from this drawing, or a new one.
 Outcome<std::string> first_project(serve::Api& api, const ServeArguments& arguments) {
     if (arguments.input.empty()) {
@@ -114,7 +123,7 @@ int serve(const ServeArguments& arguments, const Common& common) {
     serve::Api api(setup(), serve::Folder(folder));
     const auto first = first_project(api, arguments);
     if (!first) return complain(first.error(), bad_input);
-    const std::string web = arguments.web.empty() ? STRANDLINE_WEB : arguments.web;
+    const std::string web = arguments.web.empty() ? pages() : arguments.web;
     const bool built = fs::exists(fs::path(web) / "index.html", code);
     if (!built) fmt::print(stderr, "note: the editor's pages are not built ({}); ./run builds them\n", web);
     const auto listening = [&](int port) {

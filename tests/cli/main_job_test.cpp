@@ -101,6 +101,11 @@ TEST(MainJob, HelpAndListsAnswer) {
     write(folder / "in.svg", two_lines);
     EXPECT_EQ(run(folder, "robots turf").exit, 0);
     write(folder / "turf.toml", run(folder, "robots turf").out);
+    EXPECT_EQ(run(folder, "robots turf.toml -o turf.svg").exit, 0);
+    EXPECT_EQ(read(folder / "turf.svg").substr(0, 5), "<svg ");
+    EXPECT_EQ(run(folder, "robots turf -o same.toml").exit, 0);
+    EXPECT_EQ(read(folder / "same.toml"), read(folder / "turf.toml"));
+    EXPECT_EQ(run(folder, "robots -o all.toml").exit, 2);
     EXPECT_EQ(run(folder, "plan in.svg -o plan.json --robot turf.toml").exit, 0);
     EXPECT_EQ(run(folder, "fly").exit, 2);
 }

@@ -129,6 +129,34 @@ TEST(FillsOfAPlan, SandThatIsToStayBareIsNoFault) {
     EXPECT_FALSE(check::prove(unasked).sound());
 }
 
+TEST(FillsOfAPlan, ARobotThatLoopsRakesTheTipsOfCornersAsFarAsItIsAskedTo) {
+    // Two tips of 33 degrees: rounded, they stay bare.
+    const char* const spikes = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
+      <polygon id="kite" points="50,0 65,50 50,100 35,50"/></svg>)";
+    const auto covered = [&](const std::string& tips, const std::string& style) {
+        const Plan plan = planned("beachbot", {{"fill.tips", tips}, {"fill.style", style}}, spikes);
+        const check::Report report = check::prove(plan);
+        EXPECT_TRUE(report.sound()) << tips << ' ' << style;
+        EXPECT_LT(report.spill, 0.002) << tips << ' ' << style;
+        return report.coverage;
+    };
+    for (const char* const style : {"rings", "spiral", "zigzag"}) {
+        const double off = covered("off", style), border = covered("border", style),
+                     all = covered("all", style);
+        EXPECT_GT(border, off + 0.005) << style;
+        EXPECT_GT(all, border - 0.002) << style;
+    }
+    EXPECT_GT(covered("all", "rings"), covered("border", "rings") + 0.001);
+}
+
+TEST(FillsOfAPlan, TipsAreLeftToRobotsThatLoopAndLiftTheirPins) {
+    const auto strokes = [](const std::string& robot, const std::string& tips) {
+        return planned(robot, {{"fill.tips", tips}}, star).strokes.size();
+    };
+    EXPECT_EQ(strokes("plotter", "all"), strokes("plotter", "off"));
+    EXPECT_GT(strokes("beachbot", "all"), strokes("beachbot", "off"));
+}
+
 TEST(FillsOfAPlan, TurnsOfAZigzagAreLiftedByChoice) {
     const std::size_t raked = planned("beachbot", {{"fill.style", "zigzag"}}).strokes.size();
     EXPECT_GT(planned("beachbot", {{"fill.style", "zigzag"}, {"fill.rake_turns", "off"}}).strokes.size(),

@@ -35,6 +35,21 @@ std::size_t utf8_length(std::string_view text) {
 
 void add(Text& text, std::string_view piece) { text.append(piece); }
 
+void add_xml(Text& text, std::string_view value) {
+    for (const char c : value) {
+        if (c == '<')
+            add(text, "&lt;");
+        else if (c == '&')
+            add(text, "&amp;");
+        else if (c == '"')
+            add(text, "&quot;");
+        else if (static_cast<unsigned char>(c) < 0x20)
+            text.push_back(' ');
+        else
+            text.push_back(c);
+    }
+}
+
 void add_number(Text& text, double value) {
     if (!std::isfinite(value))
         add(text, "null");

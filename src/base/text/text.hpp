@@ -16,6 +16,9 @@ void add_number(Text& text, long long value);
 /// Quoted and escaped. Bytes that are not UTF-8 become U+FFFD: a file that nothing can read helps nobody.
 void add_string(Text& text, std::string_view value);
 
+/// As the text of an XML element or attribute; XML 1.0 has no control characters, so they become blanks.
+void add_xml(Text& text, std::string_view value);
+
 /// "0.123000" with that many decimals, 9 at most, zero never negative: "-0.000000" is another text than
 /// "0.000000" to a diff.
 void add_fixed(Text& text, double value, int decimals);

@@ -1,4 +1,4 @@
-// Corners that a free vehicle cuts: on, up, and off again beside.
+// Corners that are cut: on, up, and off again beside.
 #include "path/fill/corners.hpp"
 
 #include <algorithm>
@@ -11,12 +11,15 @@ constexpr double squarest =
     0.11;  // |cos| of the turn: beyond, the round wedge of a turn on the spot wastes less
 constexpr double shortest_edge = 0.6;  // of the width: what is left of an edge after a cut at both its ends
 constexpr double shortest_masked = 0.25;  // the same where pins are lifted over raked sand
+constexpr double shortest_looped = 0.05;  // the same of chords of curved edges beside a corner to loop at
 constexpr double least_gap = 0.004;       // of width^2: what a turn on the spot may leave when there are pins
-constexpr double sharp_turn = 0.7;        // radians: flatter corners leave next to nothing
-constexpr double pointed_share = 0.6;     // of the way from the wedge to the tip
-constexpr double most_pointed = 0.25;     // of the width
-constexpr double pointed_along = 0.15;    // of the width: where the way to the drawn-on corner begins
-constexpr double longest_move = 0.99;     // of the width, from the end of one pass to the start of the next
+constexpr double least_looped_gap = 0.03;  // of width^2: what a loop must save
+constexpr double longest_tip = 3;          // of the width: of tips that a loop goes round
+constexpr double sharp_turn = 0.7;         // radians: flatter corners leave next to nothing
+constexpr double pointed_share = 0.6;      // of the way from the wedge to the tip
+constexpr double most_pointed = 0.25;      // of the width
+constexpr double pointed_along = 0.15;     // of the width: where the way to the drawn-on corner begins
+constexpr double longest_move = 0.99;      // of the width, from the end of one pass to the start of the next
 
 /// Without the points that lie on straight edges: an edge is as long as it looks.
 Polyline straightened(const Polyline& line) {
@@ -31,43 +34,52 @@ Polyline straightened(const Polyline& line) {
     return kept;
 }
 
+bool cuts(bool border, const Options& options) {
+    if (options.pivots) return true;
+    return options.masked && (options.tips == Tips::all || (options.tips == Tips::border && border));
+}
+
 }  // namespace
 
-std::optional<Corner> cut_corner(Point before, Point corner, Point after, const Options& options) {
-    if (!options.pivots) return std::nullopt;
+std::optional<Corner> cut_corner(Point before, Point corner, Point after, bool border,
+                                 const Options& options) {
+    if (!cuts(border, options)) return std::nullopt;
     const double w = options.width;
     const Point in = normalized(corner - before), out = normalized(after - corner);
     const double cosine = dot(in, out), sine = std::abs(cross(in, out));
-    if (options.masked) {
-        // A turn by t sweeps a wedge of t/2 (w/2)^2 of the tip, which has tan(t/2) (w/2)^2.
-        const double half = std::atan2(sine, cosine) / 2, tip = std::tan(half);
-        if (distance(before, corner) < shortest_masked * w || distance(corner, after) < shortest_masked * w ||
-            (tip - half) / 4 < least_gap)
-            return std::nullopt;
-        // The next pass starts where the first bar's inner end leaves it sand, and near enough to be no hop.
-        const double ahead = (1 - std::abs(cosine)) / sine / 2;
-        const double onward =
-            ahead * cosine + std::sqrt(longest_move * longest_move - ahead * ahead * (1 - cosine * cosine));
-        return Corner{w * std::min(tip / 2, onward), w * ahead};
+    const double edge = std::min(distance(before, corner), distance(corner, after)) / w;
+    if (!options.masked) {
+        if (edge < shortest_edge || std::abs(cosine) >= squarest) return std::nullopt;
+        const double flush = w / 2 * (1 - std::abs(cosine)) / sine;
+        return Corner{flush, flush};
     }
-    if (distance(before, corner) < shortest_edge * w || distance(corner, after) < shortest_edge * w)
+    // A turn by t sweeps a wedge of t/2 (w/2)^2 of the tip, which has tan(t/2) (w/2)^2.
+    const double half = std::atan2(sine, cosine) / 2, tip = std::tan(half);
+    if (edge < (options.pivots ? shortest_masked : shortest_looped) ||
+        (tip - half) / 4 < (options.pivots ? least_gap : least_looped_gap))
         return std::nullopt;
-    if (std::abs(cosine) < squarest)
-        return Corner{w / 2 * (1 - std::abs(cosine)) / sine, w / 2 * (1 - std::abs(cosine)) / sine};
-    return std::nullopt;
+    // The next pass starts where the first bar's inner end leaves it sand, and near enough to be no hop,
+    // unless there is a loop anyway.
+    const double ahead = (1 - std::abs(cosine)) / sine / 2;
+    const double onward =
+        options.pivots
+            ? ahead * cosine + std::sqrt(longest_move * longest_move - ahead * ahead * (1 - cosine * cosine))
+            : longest_tip;
+    return Corner{w * std::min(tip / 2, onward), w * ahead};
 }
 
-std::vector<Polyline> with_cut_corners(const Polyline& whole, bool closed, const Options& options) {
+std::vector<Polyline> with_cut_corners(const Polyline& whole, bool closed, bool border,
+                                       const Options& options) {
     if (whole.size() < 2) return {};
-    if (!options.pivots) return {whole};
+    if (!cuts(border, options)) return {whole};
     const Polyline line = straightened(whole);
     std::vector<Polyline> passes;
     const std::size_t n = line.size();
     std::optional<Corner> seam;
-    if (closed && n > 3) seam = cut_corner(line[n - 2], line[0], line[1], options);
+    if (closed && n > 3) seam = cut_corner(line[n - 2], line[0], line[1], border, options);
     Polyline pass{seam ? line[0] + seam->ahead * normalized(line[1] - line[0]) : line[0]};
     for (std::size_t i = 1; i + 1 < n; ++i) {
-        const auto cut = cut_corner(line[i - 1], line[i], line[i + 1], options);
+        const auto cut = cut_corner(line[i - 1], line[i], line[i + 1], border, options);
         if (!cut) {
             pass.push_back(line[i]);
             continue;
@@ -88,7 +100,7 @@ Polygon with_pointed_corners(const Polygon& ring, const Options& options) {
         const Point before = ring[(i + n - 1) % n], corner = ring[i], after = ring[(i + 1) % n];
         const Point in = normalized(corner - before), out = normalized(after - corner);
         const double turn = std::atan2(cross(in, out), dot(in, out));
-        if (turn < sharp_turn || cut_corner(before, corner, after, options)) {
+        if (turn < sharp_turn || cut_corner(before, corner, after, false, options)) {
             pointed.push_back(corner);
             continue;
         }

@@ -230,7 +230,7 @@ rake::Account account_of(const Region& region, const std::vector<Stroke>& stroke
 
 Fill fill_region(const Region& region, int element, const std::string& place, const Options& asked) {
     Options options = asked;
-    if (options.one_stroke) options.pivots = false;  // a cut corner is a lift
+    if (options.one_stroke) options.pivots = false, options.tips = Tips::off;  // a cut corner is a lift
     Fill fill;
     fill.area = area(region);
     fill.cuts_used.resize(options.cuts.size());

@@ -30,6 +30,11 @@ enum class Join { half_step, nearest, alternating, longest_edge };
 /// warning.
 enum class Narrow { single_pass, warn };
 
+/// Where a vehicle that goes round corners in loops rakes their tips: nowhere (it rounds corners if it can),
+/// in passes along the outline, or in every pass. The pass runs on to the tip, the rake is lifted, and the
+/// next pass begins beside it.
+enum class Tips { off, border, all };
+
 /// What is asked for in one segment of a zigzag: in the part that holds `at`.
 struct SegmentChoice {
     Point at;                              ///< metres
@@ -65,11 +70,12 @@ struct Options {
         false;  ///< the rake never lifts inside the region, even if it must rake over raked sand
     bool rake_turns =
         true;  ///< zigzag: the rake stays down from line to line where that stays inside; false: it is lifted
-    bool pivots = false;  ///< the vehicle may lift, back up and turn on the spot anywhere: corners are cut
-    int pins = 7;         ///< written into the strokes
-    bool masked = false;  ///< pins are lifted over raked sand and outside: passes may overlap and overshoot
-    int variants = 0;     ///< other starts and exits that are offered, at most; none of areas that take more
-                          ///< than 3,000 widths of driving
+    bool pivots = false;    ///< the vehicle may lift, back up and turn on the spot anywhere: corners are cut
+    Tips tips = Tips::off;  ///< of one that may not; read where pins are `masked`
+    int pins = 7;           ///< written into the strokes
+    bool masked = false;    ///< pins are lifted over raked sand and outside: passes may overlap and overshoot
+    int variants = 0;  ///< other starts and exits that are offered, at most; none of areas that take more
+                       ///< than 3,000 widths of driving
 };
 
 /// The same area begun or ended elsewhere: what comes before and after it decides which is shortest.
@@ -99,7 +105,7 @@ struct Fill {
 };
 
 /// The choice of that name, as people write it ("half-step"). Error: at `place`, lists the names.
-/// Choice: Style, Partition, Insets, Join or Narrow.
+/// Choice: Style, Partition, Insets, Join, Narrow or Tips.
 template <class Choice>
 Outcome<Choice> named(const std::string& name, const std::string& place);
 

@@ -58,7 +58,7 @@ double waste(const Region& place, const std::vector<Ring>& rings, const Options&
         }
         Polyline line = ring.line;
         if (ring.closed) line.push_back(line.front());
-        for (Polyline& pass : with_cut_corners(line, ring.closed, options))
+        for (Polyline& pass : with_cut_corners(line, ring.closed, ring.level == 0, options))
             moves.push_back({std::move(pass), down});
     }
     const double bare = options.masked ? masked_bare_price : bare_price;

@@ -53,7 +53,7 @@ std::vector<Place> corners_of(const Ring& ring, const Options& options) {
     const std::size_t n = ring.line.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Point a = ring.line[(i + n - 1) % n], b = ring.line[i], c = ring.line[(i + 1) % n];
-        if (const auto cut = cut_corner(a, b, c, options))
+        if (const auto cut = cut_corner(a, b, c, ring.level == 0, options))
             found.push_back({ring.arcs[i], true, b + cut->ahead * normalized(c - b),
                              b + cut->onward * normalized(b - a), 0});
     }
@@ -261,7 +261,7 @@ std::vector<Polyline> passes_along(const Ring& ring, const Seam& seam, const Opt
         return teeth;
     }
     Polyline line = along(ring, seam.start, seam.span);
-    return with_cut_corners(line, seam.corner, options);
+    return with_cut_corners(line, seam.corner, ring.level == 0, options);
 }
 
 }  // namespace strandline::fill

@@ -45,7 +45,7 @@ void go_on(Work& work, Polyline line, bool may_step, const Options& options) {
 /// The line of a spiral. Only the border has its corners cut: within, the line is not interrupted.
 void revolve(Work& work, TurnedLine line, bool may_step, bool border, const Options& options) {
     std::vector<Polyline> lasts{line.last};
-    if (border) lasts = with_cut_corners(line.last, false, options);
+    if (border) lasts = with_cut_corners(line.last, false, true, options);
     line.rest.insert(line.rest.end(), lasts.front().begin(), lasts.front().end());
     if (!border) line.rest = work.trail.kept_off(line.rest);
     go_on(work, std::move(line.rest), may_step, options);

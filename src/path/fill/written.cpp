@@ -35,6 +35,10 @@ template <>
 struct Names<Narrow> {
     static constexpr std::array<std::string_view, 2> list{"single-pass", "warn"};
 };
+template <>
+struct Names<Tips> {
+    static constexpr std::array<std::string_view, 3> list{"off", "border", "all"};
+};
 
 /// "x,y" -> a point; absent if it is none.
 std::optional<Point> point_of(const std::string& pair) {
@@ -62,6 +66,7 @@ template Outcome<Partition> named<Partition>(const std::string&, const std::stri
 template Outcome<Insets> named<Insets>(const std::string&, const std::string&);
 template Outcome<Join> named<Join>(const std::string&, const std::string&);
 template Outcome<Narrow> named<Narrow>(const std::string&, const std::string&);
+template Outcome<Tips> named<Tips>(const std::string&, const std::string&);
 
 Outcome<std::vector<Polyline>> cuts_of(const std::string& text, const std::string& place) {
     constexpr auto remedy = "write x,y x,y for a line and ; between lines, as in 0,2 4,2; 1,0 1,5";

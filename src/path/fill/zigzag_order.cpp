@@ -257,11 +257,8 @@ std::vector<Pass> driven(Plan plan, const Regions& room, const Wish& wish, const
             const double radius = options.round_corners ? options.turn_radius : 0;
             const Polyline line = rounded(along(ring, s, ring.length), radius);
             Polyline way = corners_of(entry.way);
-            if (options.pivots && !options.one_stroke)
-                for (Polyline& part : with_cut_corners(line, true, options))
-                    drive.rake(std::move(part), std::exchange(way, {}), false);
-            else
-                drive.rake(line, std::move(way), false);
+            for (Polyline& part : with_cut_corners(line, true, true, options))
+                drive.rake(std::move(part), std::exchange(way, {}), false);
             plan.corridors.of[corridor].raked = true;
         }
         here = entry.end;

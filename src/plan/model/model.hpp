@@ -73,6 +73,7 @@ struct Options {
         double part_inset = 0, min_area = 0.01;
         bool border = true;
         std::string narrow = "single-pass";
+        std::string tips = "all";  // off | border | all
         bool lift_pins = true;
         bool operator==(const FillArea&) const = default;
     } fill;

@@ -387,6 +387,16 @@ std::vector<Setting> make_table() {
          {"single-pass", "warn"},
          "",
          [](Options& o) -> Field { return &o.fill.narrow; }},
+        {"fill.tips",
+         "sharp corners of areas that are raked to their tips, by a loop with the rake up, where the robot "
+         "cannot turn on the spot and its pins lift one by one: of all passes, of those along the border "
+         "(sooner done), or none (rounded)",
+         Kind::choice,
+         0,
+         0,
+         {"off", "border", "all"},
+         "",
+         [](Options& o) -> Field { return &o.fill.tips; }},
         {"fill.lift_pins",
          "pins lift one by one over sand that is raked already and outside the area; off: all pins of a rake "
          "are "

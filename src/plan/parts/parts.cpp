@@ -103,6 +103,16 @@ void measure(Figures& figures, const std::vector<Sample>& samples) {
     figures.time = samples.empty() ? 0 : samples.back().t;
 }
 
+Outcome<void> can_be_cut(const Plan& plan) {
+    if (plan.strokes.empty()) return fail(plan.title, "has no strokes", "there is nothing to cut");
+    const std::vector<Extent> driven = extents(plan);
+    for (std::size_t k = 0; k < driven.size(); ++k)
+        if (driven[k].end == 0)
+            return fail(plan.title, fmt::format("stroke {} is never driven", k),
+                        "the plan's check says what is wrong");
+    return {};
+}
+
 Plan part(const Plan& plan, int first, int end) {
     Plan part = plan;
     const std::vector<Extent> all = extents(plan);

@@ -12,6 +12,10 @@ namespace strandline::parts {
 /// Metres, bends and time of a finished trajectory, into the figures that follow from it alone.
 void measure(Figures& figures, const std::vector<Sample>& samples);
 
+/// Whether every stroke is driven, as part, cuts and stroke_at need it; plans of this program are. Error: a
+/// plan without strokes, or the stroke that is not driven.
+Outcome<void> can_be_cut(const Plan& plan);
+
 /// The strokes first .. end - 1 of the plan as a plan of its own, in the same order and along the same ways:
 /// what was finished before is gone round as in the whole. It begins at rest where the lead to its first
 /// stroke begins, and ends where its last stroke ends. Its drawing holds the elements that it draws; one that

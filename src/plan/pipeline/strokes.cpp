@@ -118,7 +118,8 @@ fill::Options fill_options(const Options& options, const Robot& robot) {
     // by 42 degrees, and the groove is a quarter narrower.
     o.turn_radius =
         robot.min_radius > 0 && !robot.can_pivot ? 1.5 * std::hypot(robot.rake_offset, robot.rake_side) : 0;
-    o.pivots = robot.can_pivot && robot.pins > 1;  // a pen has no flat end to cut corners with
+    o.pivots = robot.can_pivot && robot.pins > 1;
+    o.tips = *fill::named<fill::Tips>(f.tips, "fill.tips");
     o.round_corners = false;  // drive knows at each corner whether the rake can follow a bend
     return o;
 }

@@ -55,20 +55,7 @@ class SvgWriter {
         escaped(content);
         put("</text>\n");
     }
-    void escaped(std::string_view content) {
-        for (const char c : content) {
-            if (c == '<')
-                put("&lt;");
-            else if (c == '&')
-                put("&amp;");
-            else if (c == '"')
-                put("&quot;");
-            else if (static_cast<unsigned char>(c) < 0x20)  // XML 1.0 has no control characters
-                put(" ");
-            else
-                add(out_, std::string_view(&c, 1));
-        }
-    }
+    void escaped(std::string_view content) { add_xml(out_, content); }
 
   private:
     void piece(std::string_view text) { add(out_, text); }

@@ -46,17 +46,7 @@ Outcome<RakeRows::Row> read_row(std::string_view line, const std::string& place,
         values[column] = *value;
         if (column < 2) line.remove_prefix(comma + 1);
     }
-    if (std::max(std::abs(values[0]), std::abs(values[1])) > farthest)
-        return fail(place, "is too far from the origin",
-                    fmt::format("coordinates are metres, up to {}", farthest));
-    const unsigned all_down = pin_mask(robot, robot.pins);
-    if (!(values[2] >= 0 && values[2] <= all_down && values[2] == std::floor(values[2])))
-        return fail(
-            place,
-            fmt::format("pins {} is not a whole number from 0 to {}", number_text(values[2]), all_down),
-            fmt::format("write how many of the {} pins of {} are down, or their mask", robot.pins,
-                        robot.name));
-    return RakeRows::Row{{values[0], values[1]}, static_cast<unsigned>(values[2])};
+    return rake_row({values[0], values[1]}, values[2], place, robot);
 }
 
 /// The last state at or before arc length s: at a corner the one after it.
@@ -110,6 +100,19 @@ std::vector<RobotRow> converted_stroke(const std::vector<RakeRows::Row>& rows, c
 }
 
 }  // namespace
+
+Outcome<RakeRows::Row> rake_row(Point at, double pins, const std::string& place, const Robot& robot) {
+    if (std::max(std::abs(at.x), std::abs(at.y)) > farthest)
+        return fail(place, "is too far from the origin",
+                    fmt::format("coordinates are metres, up to {}", farthest));
+    const unsigned all_down = pin_mask(robot, robot.pins);
+    if (!(pins >= 0 && pins <= all_down && pins == std::floor(pins)))
+        return fail(place,
+                    fmt::format("pins {} is not a whole number from 0 to {}", number_text(pins), all_down),
+                    fmt::format("write how many of the {} pins of {} are down, or their mask", robot.pins,
+                                robot.name));
+    return RakeRows::Row{at, static_cast<unsigned>(pins)};
+}
 
 Outcome<RakeRows> read_rake_csv(std::string_view text, const std::string& place, const Robot& robot) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";

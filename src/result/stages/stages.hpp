@@ -81,6 +81,8 @@ struct RakeRows {
     };
     std::vector<std::vector<Row>> strokes;
 };
+/// Error: a place over 1,000 km away; pins that are no whole number from 0 to the mask of all the robot's.
+Outcome<RakeRows::Row> rake_row(Point at, double pins, const std::string& place, const Robot& robot);
 /// A count of pins or their mask: more than all pins of the robot's mask is refused, as every wrong line.
 Outcome<RakeRows> read_rake_csv(std::string_view text, const std::string& place, const Robot& robot);
 /// One row of the output.
