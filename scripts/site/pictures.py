@@ -114,17 +114,13 @@ def rover(s):
     return s.rendered("waves.svg", "--robot", "rover.toml", "--config", "site.toml", pixels=700)
 
 
-def robots(s):
-    return from_svg(plots.robots([(name, s.run("robots", name)) for name in ("beachbot", "turf", "diffdrive")]))
-
-
 def tutorial_drawing(s): return from_svg((ROOT / "drawings/lighthouse.svg").read_text().replace('width="200mm" height="240mm"', 'width="380" height="456"'))
 def tutorial_plan(s): return s.rendered("lighthouse.svg", pixels=700)
-def tutorial_sand(s): s.plan("lighthouse.svg", "--canvas", "20x20", "--set", "fill.style=spiral"); return s.sand("--noise", "--seed", 7, "--cell", "2cm", pixels=600)
+def tutorial_sand(s): s.plan("lighthouse.svg", "--canvas", "20x20"); return s.sand("--noise", "--seed", 7, "--cell", "2cm", pixels=600)
 
 
 def tutorial_flaws(s):
-    s.plan("lighthouse.svg", "--canvas", "20x20", "--set", "fill.style=spiral")
+    s.plan("lighthouse.svg", "--canvas", "20x20")
     s.run("simulate", "plan.json", "--flaws", "flaws.png", "--pixels", 600, "--noise", "--seed", 7, "--cell", "2cm")
     return s.read("flaws.png")
 
@@ -277,7 +273,7 @@ def words(s):
 
 
 NAMES = {"starfish": starfish, "starfish-sand": starfish_sand, "starfish-flaws": starfish_flaws, "occlusion": occlusion, "beach": beach, "plotter": plotter, "turf": turf,
-         "sand-table": sand_table, "diff-drive": diff_drive, "rover": rover, "robots": robots, "tutorial-drawing": tutorial_drawing, "tutorial-plan": tutorial_plan,
+         "sand-table": sand_table, "diff-drive": diff_drive, "rover": rover, "tutorial-drawing": tutorial_drawing, "tutorial-plan": tutorial_plan,
          "tutorial-sand": tutorial_sand, "tutorial-flaws": tutorial_flaws, "film": film, "tracking": tracking, "avoid": avoid, "tour": tour, "angles": angles,
          "styles": styles, "route": route, "follow": follow, "corners": corners, "speeds": speeds, "masks": masks, "legibility": legibility, "parts": parts,
          "trace": trace, "typeset": typeset, "located": located, "curvature": curvature, "insets": insets, "broken": broken, "lion": lion, "fish": fish, "logo": logo,

@@ -1,5 +1,5 @@
 """What the program's numbers look like: plots as SVG texts. Metres in, y up; each function makes one picture."""
-import json, math, random, tomllib
+import json, math, random
 
 INK, UP, SOFT, ROBOT = "#1c1b19", "#d0281c", "#9b9484", "#2f6db3"
 FACE = 'font-family="DejaVu Sans" font-size="13" fill="#333"'
@@ -160,32 +160,6 @@ def in_time(samples):
     return sheet(820, 420, chart(14, 28, 740, 100, [(INK, pick("v"))], 0, .25, "speed, m/s", [(.2, "0.2")])
                  + chart(14, 166, 740, 100, [(ROBOT, pick("omega"))], -.5, .5, "turn rate, rad/s", [(.4, "0.4"), (-.4, "-0.4")])
                  + chart(14, 304, 740, 100, [(UP, pick("curvature"))], -5, 5, "curvature of the robot's path, 1/m", [(2, "1/R"), (-2, "-1/R")]))
-
-
-def robots(profiles):
-    """footprint, wheels, rake, to one scale; the robot looks to the right"""
-    body, left, scale = [], 20, 190
-    for name, words in profiles:
-        robot = tomllib.loads(words)
-        side = abs(robot["rake_side"]) + robot["pins"] * robot["pin_pitch"] / 2
-        back, front, half = max(robot["back"], robot["rake_offset"] + .04), robot["front"], max(robot["half_width"], side)
-        x0, y0 = left + back * scale, 150
-        at = lambda x, y: (x0 + scale * x, y0 - scale * y)
-        corner = at(-robot["back"], robot["half_width"])
-        body.append(f'<rect x="{corner[0]:.1f}" y="{corner[1]:.1f}" width="{scale * (robot["back"] + front):.1f}" height="{2 * scale * robot["half_width"]:.1f}" rx="6" fill="#e8dcc0" stroke="{SOFT}"/>')
-        for wheel in robot.get("wheels", []):
-            body.append(line([at(wheel["x"] - .04, wheel["y"]), at(wheel["x"] + .04, wheel["y"])], "#555", max(2, scale * wheel["width"])))
-        for pin in range(robot["pins"]):
-            y = robot["rake_side"] + ((robot["pins"] - 1) / 2 - pin) * robot["pin_pitch"]
-            x, h = at(-robot["rake_offset"], y)
-            body.append(f'<circle cx="{x:.1f}" cy="{h:.1f}" r="{max(2, scale * robot["pin_pitch"] / 2.4):.1f}" fill="{INK}"/>')
-        x, y = at(0, 0)
-        body.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.5" fill="{UP}"/>' + line([at(0, 0), at(front, 0)], UP, 1.2))
-        body.append(text(left, 300, name))
-        left += (back + front) * scale + 60
-    left += 10
-    body += [line([(left, 260), (left + scale / 2, 260)], INK, 3), text(left, 250, "0.5 m"), text(20, 322, "red: the turning point, and where the robot looks; black: pins; grey: wheels; sand: footprint")]
-    return sheet(max(left + 120, 660), 334, body)
 
 
 def wander(names, rows):

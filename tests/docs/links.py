@@ -13,7 +13,7 @@ LINK = re.compile(r"\]\(([^)\s]+)\)")
 NAMED = re.compile(r"(?<![\w/])docs/[\w/-]+\.md\b")
 FROM_PAGE = re.compile(r"(?<![\w/`-])(?:exports|howto)/[\w-]+\.md\b")
 OPTION = re.compile(r"(?<![\w-])--([a-z][a-z-]+)")
-OTHERS = {"all", "only", "lkh", "build", "target", "preset", "gtest", "no-install-recommends", "site", "check", "once", "install"}  # of ./test, scripts/, cmake, ros2
+OTHERS = {"all", "only", "lkh", "build", "target", "preset", "gtest", "no-install-recommends", "site", "check", "once", "install", "config-settings"}  # of ./test, scripts/, cmake, ros2, pip
 
 
 def sources():

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "fill/areas.hpp"
+#include "path/fill/corners.hpp"
 
 namespace strandline::fill {
 namespace {
@@ -67,6 +68,17 @@ TEST(FillNarrow, AStripHardlyWiderThanTheRakeIsRakedAlongItsMiddle) {
             const Fill fill = fill_region(strip, 0, "strip", with(style));
             EXPECT_GT(areas::judged(strip, fill, 0.4).coverage, 0.94);
         }
+    }
+}
+
+TEST(FillNarrow, ACornerThatTurnsRightBackIsCutAtAPlace) {
+    for (const bool pivots : {false, true}) {
+        const Options options{.width = 0.4, .pivots = pivots, .tips = Tips::all, .masked = true};
+        for (const double aside : {0.0, 1e-300, 1e-12, 1e-3})
+            if (const auto corner = cut_corner({0, 0}, {2, 0}, {0, aside}, true, options)) {
+                EXPECT_TRUE(std::isfinite(corner->onward) && corner->onward >= 0) << aside;
+                EXPECT_TRUE(std::isfinite(corner->ahead) && corner->ahead >= 0) << aside;
+            }
     }
 }
 
