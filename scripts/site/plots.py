@@ -92,7 +92,7 @@ def connection_styles(curves):
     for k, (style, curve) in enumerate(curves):
         left = k * 230
         frame = Frame([p for _, c in curves for p in c["samples"]], left, 20, 226, 200, 16)
-        named = style + (f': breaks {curve["fallback"]}, bounded taken' if curve.get("fallback") else "")
+        named = style + (": refused, bounded taken" if curve.get("fallback") else "")
         body += [text(left + 10, 18, named), line(frame.all(curve["samples"]), UP, 2), pose(frame, curve["start"][:2], curve["start"][2], "#128c3c"),
                  pose(frame, curve["end"][:2], curve["end"][2], "#1f4fa8")]
         body += chart(left + 14, 250, 190, 110, [(UP, bends(curve["samples"]))], -2.3, 2.3, "curvature, ±1/R dashed", [(2, ""), (-2, "")])
