@@ -42,7 +42,7 @@ if command -v node >/dev/null && command -v npm >/dev/null; then web_packages=()
 browser_packages=(chromium)
 # What the Python module is built with and needs (docs/python.md).
 python_packages=(pybind11-dev python3-dev python3-numpy)
-test_packages=(libgtest-dev librapidcheck-dev clang-format python3 librsvg2-bin fonts-dejavu-core gdal-bin python3-yaml poppler-utils groff-base
+test_packages=(libgtest-dev librapidcheck-dev clang-format python3 librsvg2-bin fonts-dejavu-core gdal-bin python3-yaml python3-jsonschema poppler-utils groff-base
     "${python_packages[@]}" python3-pytest python3-scipy python3-networkx mypy python3-venv python3-pip)
 judge_packages=(python3-shapely python3-numpy python3-scipy)
 

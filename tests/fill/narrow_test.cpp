@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "fill/areas.hpp"
+#include "path/fill/corners.hpp"
 
 namespace strandline::fill {
 namespace {
@@ -52,6 +53,32 @@ TEST(FillNarrow, AnArmOfAKeyGetsOnePassToItsEnd) {
         EXPECT_LT(distance(first.back(), apply(map, {4, 2})), 0.2);    // to the body
         for (Point p : first) EXPECT_TRUE(contains(region, p) || distance_to_outline(region.outer, p) < 1e-6);
         EXPECT_GT(areas::judged(region, fill, 0.4).coverage, 0.975);
+    }
+}
+
+TEST(FillNarrow, AStripHardlyWiderThanTheRakeIsRakedAlongItsMiddle) {
+    // A thick line with round caps: its ring still has room, the outline by fewer points none.
+    Polyline outer;
+    for (int k = 0; k <= 32; ++k)
+        outer.push_back(Point{k <= 16 ? 1.5 : 0.0, 0} + 0.2005 * unit((k - 8) * pi / 16));
+    outer.insert(outer.begin() + 17, Point{0, 0.2005});
+    for (const Affine& map : {Affine{}, shapes::turned, shapes::mirrored}) {
+        const Region strip = shapes::moved({areas::of({outer})}, map)[0];
+        for (const Style style : {Style::rings, Style::spiral, Style::zigzag}) {
+            const Fill fill = fill_region(strip, 0, "strip", with(style));
+            EXPECT_GT(areas::judged(strip, fill, 0.4).coverage, 0.94);
+        }
+    }
+}
+
+TEST(FillNarrow, ACornerThatTurnsRightBackIsCutAtAPlace) {
+    for (const bool pivots : {false, true}) {
+        const Options options{.width = 0.4, .pivots = pivots, .tips = Tips::all, .masked = true};
+        for (const double aside : {0.0, 1e-300, 1e-12, 1e-3})
+            if (const auto corner = cut_corner({0, 0}, {2, 0}, {0, aside}, true, options)) {
+                EXPECT_TRUE(std::isfinite(corner->onward) && corner->onward >= 0) << aside;
+                EXPECT_TRUE(std::isfinite(corner->ahead) && corner->ahead >= 0) << aside;
+            }
     }
 }
 

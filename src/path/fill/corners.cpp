@@ -60,7 +60,7 @@ std::optional<Corner> cut_corner(Point before, Point corner, Point after, bool b
         return std::nullopt;
     // The next pass starts where the first bar's inner end leaves it sand, and near enough to be no hop,
     // unless there is a loop anyway.
-    const double ahead = (1 - std::abs(cosine)) / sine / 2;
+    const double ahead = sine == 0 ? 0 : (1 - std::abs(cosine)) / sine / 2;  // 0: right back
     const double onward =
         options.pivots
             ? ahead * cosine + std::sqrt(longest_move * longest_move - ahead * ahead * (1 - cosine * cosine))

@@ -216,6 +216,9 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
 
 std::vector<Pass> with_arms(std::vector<Pass> passes, const NarrowParts& narrow, const Options& options) {
     if (narrow.arms.empty()) return passes;
+    // Exactly as wide as the rake: the style's passes lie along the middle of what the coarse inset sees as
+    // arms alone.
+    if (narrow.bodies.empty()) passes.clear();
     const int bodies = static_cast<int>(narrow.bodies.size()),
               all = bodies + static_cast<int>(narrow.arms.size());
     std::vector<std::vector<int>> beside(all);  // bodies and arms that touch
