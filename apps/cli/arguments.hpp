@@ -1,5 +1,6 @@
 #pragma once
 // Texts of the command line and settings files -> values.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ Outcome<Robot> robot_named(const std::string& name);
 /// What a plan is made with.
 struct Wishes {
     std::string robot;                                              ///< name or file; "" : not said
+    std::optional<std::string> profile = {};                        ///< of the robot, TOML: instead of a name
     std::vector<std::pair<std::string, std::string>> robot_fields;  ///< robot.FIELD=value, in order
     Options options;
     std::vector<Edit> edits;

@@ -109,8 +109,8 @@ struct SplitArguments {
 int split(const SplitArguments& arguments, const Common& common);
 
 int list_settings(const Common& common);
-/// Without a name: the built-in names; with one: its profile as TOML, or a drawing into an .svg file. As JSON:
-/// the robots themselves.
+/// Without a name: the built-in names; with one: its profile as TOML, or a drawing into an .svg file. As
+/// JSON: the robots themselves.
 int show_robot(const std::string& name, const std::string& output, const Common& common);
 
 struct TourArguments {

@@ -67,7 +67,8 @@ Outcome<Wishes> gathered(const PlanArguments& a) {
 }
 
 Outcome<Robot> robot_of(const Wishes& wishes) {
-    auto robot = robot_named(wishes.robot.empty() ? "beachbot" : wishes.robot);
+    auto robot = wishes.profile ? read_robot(*wishes.profile, "robot")
+                                : robot_named(wishes.robot.empty() ? "beachbot" : wishes.robot);
     for (const auto& [field, value] : wishes.robot_fields)
         if (robot) robot = with_field(*robot, field, value);
     return robot;

@@ -115,6 +115,10 @@ def build_editable(wheel_directory, config_settings=None, metadata_directory=Non
     return _write_wheel(wheel_directory, {"strandline.pth": f"{folder}\n".encode()})
 
 
+class UnsupportedOperation(Exception):
+    """What PEP 517 names it."""
+
+
 def build_sdist(sdist_directory, config_settings=None):
-    raise SystemExit("strandline: the package is built from a checkout of the whole project, which no source "
-                     "archive of python/ would hold; use pip install ./python or pip wheel ./python")
+    raise UnsupportedOperation("the package is built from a checkout of the whole project, which no source archive "
+                               "of python/ would hold; use pip install ./python or pip wheel ./python")

@@ -11,9 +11,8 @@ Robot robot_of(const std::string& name, const std::optional<std::string>& profil
 
 Asked asked(const Call& call) {
     Asked asked{value(cli::gathered(call.arguments)), {}};
-    asked.robot = robot_of(asked.wishes.robot.empty() ? "beachbot" : asked.wishes.robot, call.profile);
-    for (const auto& [field, text] : asked.wishes.robot_fields)
-        asked.robot = value(with_field(std::move(asked.robot), field, text));
+    if (call.profile) asked.wishes.profile = call.profile;
+    asked.robot = value(cli::robot_of(asked.wishes));
     return asked;
 }
 

@@ -23,7 +23,7 @@ def _call(robot: Robot | None, config: Any, pairs: list[str]) -> _core.Call:
 
 def _planned(source: bytes, title: str, place: str, *, robot: Robot | None, canvas: Any,
              fit: str, margin: Any, config: Any, settings: Mapping[str, Any] | None,
-             edits: Iterable[Edit], border: Any, keep_out: Any, start: Any, end: Any, park: Any, exit: Any,
+             edits: Edit | Iterable[Edit], border: Any, keep_out: Any, start: Any, end: Any, park: Any, exit: Any,
              progress: Progress | None, more: Mapping[str, Any]) -> Plan:
     call = _call(robot, config, _texts.setting_lines(settings, more, "plan"))
     call.canvas = _texts.canvas_text(canvas)
@@ -35,12 +35,13 @@ def _planned(source: bytes, title: str, place: str, *, robot: Robot | None, canv
     call.end = _texts.pose_text(end, "end", (2,))
     call.park = _texts.pose_text(park, "park")
     call.exit = _texts.pose_text(exit, "exit")
-    return Plan(_core.plan(source, title, place, call, _texts.json_text(list(edits)), progress))
+    listed = [edits] if isinstance(edits, Mapping) else list(edits)
+    return Plan(_core.plan(source, title, place, call, _texts.json_text(listed), progress))
 
 
 def plan(drawing: PathText, *, robot: Robot | None = None, canvas: Any = None, place: str = "",
          margin: Any = None, config: Union[PathText, Iterable[PathText]] = (),
-         settings: Mapping[str, Any] | None = None, edits: Iterable[Edit] = (), border: Any = None,
+         settings: Mapping[str, Any] | None = None, edits: Edit | Iterable[Edit] = (), border: Any = None,
          keep_out: Any = (), start: Any = None, end: Any = None, park: Any = None, exit: Any = None,
          progress: Progress | None = None, **more: Any) -> Plan:
     """Plans a drawing: strokes, fills, their order, the whole drive, timed.
@@ -58,7 +59,7 @@ def plan(drawing: PathText, *, robot: Robot | None = None, canvas: Any = None, p
         settings: by key, ``{"fill.style": "zigzag", "fill.spacing": "36cm"}``; keywords do the same:
             ``fill_style="zigzag"``. Numbers are metres, seconds and radians, texts as on the command line.
             strandline.settings() lists them all.
-        edits: dicts as in docs/plan-format.md.
+        edits: one dict as in docs/plan-format.md, or several.
         border, keep_out: where the robot may drive and where not: arrays of shape (N, 2) in metres, texts
             ("3,3 5,3 5,6") or paths of GeoJSON files; keep_out takes several.
         start, end: (x, y) where the drive begins and ends, m.
@@ -86,7 +87,7 @@ def plan(drawing: PathText, *, robot: Robot | None = None, canvas: Any = None, p
 def plan_svg(text: Union[str, bytes], *, title: str = "drawing", robot: Robot | None = None,
              canvas: Any = None, place: str = "", margin: Any = None,
              config: Union[PathText, Iterable[PathText]] = (),
-             settings: Mapping[str, Any] | None = None, edits: Iterable[Edit] = (), border: Any = None,
+             settings: Mapping[str, Any] | None = None, edits: Edit | Iterable[Edit] = (), border: Any = None,
              keep_out: Any = (), start: Any = None, end: Any = None, park: Any = None, exit: Any = None,
              progress: Progress | None = None, **more: Any) -> Plan:
     """Plans a drawing that is at hand: the text of an SVG, or the bytes of one or of a PNG or JPEG.
@@ -105,7 +106,7 @@ def plan_text(text: str, *, font: str = "rowmans", height: float | None = None, 
               line_spacing: float = 1.6, robot: Robot | None = None, canvas: Any = None,
               place: str = "", margin: Any = None,
               config: Union[PathText, Iterable[PathText]] = (),
-              settings: Mapping[str, Any] | None = None, edits: Iterable[Edit] = (), border: Any = None,
+              settings: Mapping[str, Any] | None = None, edits: Edit | Iterable[Edit] = (), border: Any = None,
               keep_out: Any = (), start: Any = None, end: Any = None, park: Any = None, exit: Any = None,
               progress: Progress | None = None, **more: Any) -> Plan:
     """Plans words, written in single lines (Hershey fonts; strandline.fonts() lists them).

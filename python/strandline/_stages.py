@@ -267,9 +267,9 @@ def convert(rake_path: ArrayLike, *, robot: Robot = "beachbot",
     name, profile = _texts.robot_texts(robot)
     if pins is None:
         pins = 2 ** int(json.loads(_core.robot_json(name, profile))["pins"]) - 1
-    masks = np.broadcast_to(np.asarray(pins, dtype=np.float64), len(points)) if np.ndim(pins) == 0 \
-        else np.asarray(pins, dtype=np.float64)
-    if masks.ndim != 1:
-        raise InputError("pins", f"has the shape {masks.shape}", "give one value, or one a point")
+    try:
+        masks = np.broadcast_to(np.asarray(pins, dtype=np.float64), len(points))
+    except (TypeError, ValueError):
+        raise InputError("pins", "are not numbers, one or one a point", "give a mask, such as 127") from None
     paths, pairs = _core.convert([(points, masks.tolist())], name, profile)
     return RobotPath(warnings=_warn(pairs), **paths[0])

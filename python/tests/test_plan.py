@@ -120,7 +120,7 @@ def test_edits_change_what_they_touch(small):
     edited = small.edited(edit)
     after = [s.reversed for s in edited.strokes if edited.elements[s.element].id == "bow"][0]
     assert after != before and edited.edits == [edit] and small.edits == []
-    fresh = strandline.plan_svg(SMALL, title="small.svg", edits=[edit])
+    fresh = strandline.plan_svg(SMALL, title="small.svg", edits=edit)
     assert fresh.export("csv") == edited.export("csv")
     assert edited.edited(keep=False).export("csv") == small.export("csv")
     assert edited.edited(fill_style="zigzag").settings["fill.style"] == "zigzag"

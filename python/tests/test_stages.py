@@ -164,7 +164,7 @@ def test_a_path_that_no_rake_can_follow_is_said():
     assert path.warnings
 
 
-@pytest.mark.parametrize("pins", [128, -1, 1.5, [1, 2]])
+@pytest.mark.parametrize("pins", [128, -1, 1.5, [1, 2], "all", [[1, 2, 3]] * 2])
 def test_pins_that_there_are_not_are_refused(pins):
     with pytest.raises(strandline.InputError):
         strandline.convert([[0, 0], [1, 0], [2, 0]], pins=pins)

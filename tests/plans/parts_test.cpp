@@ -27,6 +27,16 @@ TEST(Parts, APartOfWholeElementsIsSound) {
     }
 }
 
+TEST(Parts, APlanWithAStrokeThatIsNotDrivenCannotBeCut) {
+    Plan plan = whole();
+    EXPECT_TRUE(can_be_cut(plan));
+    for (Sample& sample : plan.samples)
+        if (sample.stroke == 2) sample.motion = Motion::connect;
+    ASSERT_FALSE(can_be_cut(plan));
+    EXPECT_EQ(can_be_cut(plan).error().reason, "stroke 2 is never driven");
+    EXPECT_FALSE(can_be_cut(Plan{}));
+}
+
 TEST(Parts, AnElementInTwoPartsIsNamed) {
     const Plan piece = part(whole(), 0, 3);
     ASSERT_EQ(piece.warnings.size(), 1u);

@@ -42,6 +42,20 @@ for (const [name, size, options] of [
     await page.context().close()
   })
 
+test('all tools are in sight without scrolling', async () => {
+  const page = await openEditor(browser, server.url)
+  for (const [width, height] of [[1280, 800], [1280, 720], [1024, 640], [820, 1180], [768, 1024], [390, 780]]) {
+    await page.setViewportSize({ width, height })
+    for (const panelOpen of [true, false]) {
+      await page.evaluate((open) => window.strandline.view.set({ panelOpen: open }), panelOpen)
+      await page.waitForTimeout(50)
+      const hidden = await page.$eval('.rail', (rail) => rail.scrollHeight - rail.clientHeight)
+      assert.ok(hidden <= 0, `${hidden} px hidden at ${width} x ${height}, panel ${panelOpen ? 'open' : 'closed'}`)
+    }
+  }
+  await page.context().close()
+})
+
 test('every control is reached by the keyboard and shows it', async () => {
   const page = await openEditor(browser, server.url)
   await settled(page)

@@ -1,8 +1,10 @@
 // A server in a folder of its own and a browser on it: what every test begins with.
+import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { copyFileSync, mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { basename, join } from 'node:path'
+import { after, before, beforeEach } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { chromium } from 'playwright-core'
 
@@ -74,6 +76,30 @@ export async function openEditor(browser, url, size = { width: 1280, height: 800
   await page.goto(url)
   await page.waitForFunction(() => window.strandline?.session.now.standing)
   return page
+}
+
+/** One page with web/tests/drawing.svg for all tests of a file, handed to `take`; each test begins with nothing changed. */
+export function onePage(take) {
+  let browser, server, folder, page
+  before(async () => {
+    browser = await startBrowser()
+    folder = tempFolder()
+    server = await startServer(folder.path, join(root, 'web/tests/drawing.svg'))
+    take((page = await openEditor(browser, server.url)))
+    await settled(page)
+  })
+  after(async () => {
+    await browser.close()
+    await server.kill()
+    folder.remove()
+    assert.deepEqual(page.faults, [])
+    assert.deepEqual(page.foreign, [], 'no request leaves the machine')
+  })
+  beforeEach(async () => {
+    await page.keyboard.press('Escape')
+    await page.evaluate(() => window.strandline.view.set({ selected: '', tab: 'plan', time: null }))
+    while ((await standing(page)).undo.count > 0) await edited(page, () => page.click('button[aria-label^="undo"]'))
+  })
 }
 
 export const standing = (page) => page.evaluate(() => window.strandline.session.now.standing)

@@ -162,17 +162,45 @@ test('the project is saved as a file and opened again with its edits', async () 
   assert.equal((await standing(page)).edits.length, 1)
 })
 
+async function exported(format) {
+  await page.click('text=Export')
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator('.sheet button.row').filter({ has: page.locator(`b:text-is("${format}")`) }).click(),
+  ])
+  return download
+}
+
 test('every export is a file with something in it', async () => {
   const formats = await page.evaluate(() => window.strandline.session.now.about.exports.map((e) => e.name))
   assert.ok(formats.length >= 6)
   for (const format of formats) {
-    await page.click('text=Export')
-    const [download] = await Promise.all([
-      page.waitForEvent('download'),
-      page.locator('.sheet a.row').filter({ has: page.locator(`b:text-is("${format}")`) }).click(),
-    ])
+    const download = await exported(format)
     assert.ok(readFileSync(await download.path()).length > 100, format)
+    await page.keyboard.press('Escape')
   }
+})
+
+test('what an export takes for granted is said where it is saved', async () => {
+  const download = await exported('geojson')
+  assert.equal(download.suggestedFilename(), 'drawing.geojson')
+  const said = page.locator('.sheet').getByRole('status')
+  await said.getByText('latitude 0, longitude 0 is taken').waitFor()
+  assert.match(await said.textContent(), /^drawing.geojson is saved, with 1 warning:/)
+  await page.keyboard.press('Escape')
+  // Nothing to say: the list is gone with the file.
+  await exported('csv')
+  await page.locator('.sheet').waitFor({ state: 'detached' })
+})
+
+test('an export that is refused is said in words, and no file comes', async () => {
+  await page.route(/exports\/csv$/, (route) =>
+    route.fulfill({ status: 409, json: { error: { code: 'refused', place: 'plan', reason: 'is still being made', remedy: 'wait a moment' } } }),
+  )
+  await page.click('text=Export')
+  await page.locator('.sheet button.row').filter({ has: page.locator('b:text-is("csv")') }).click()
+  await page.locator('.hint.notice').filter({ hasText: 'plan: is still being made; wait a moment' }).waitFor()
+  assert.ok(await page.locator('.sheet button.row').first().isEnabled())
 })
 
 test('a sketch begins on bare sand and is drawn by hand', async () => {

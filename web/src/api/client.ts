@@ -51,6 +51,13 @@ async function post<T>(path: string, body: unknown): Promise<T> {
   const init = { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body) }
   return (await (await ask(path, init)).json()) as T
 }
+/** A file, its name and what its writer has to say about it (parted by " | " in a header). */
+async function download(path: string): Promise<{ bytes: Blob; name: string; warnings: string[] }> {
+  const reply = await ask(path)
+  const name = /filename="([^"]+)"/.exec(reply.headers.get('Content-Disposition') ?? '')?.[1] ?? 'strandline'
+  const warnings = reply.headers.get('Strandline-Warnings')?.split(' | ') ?? []
+  return { bytes: await reply.blob(), name, warnings }
+}
 async function upload<T>(path: string, bytes: Blob | string): Promise<T> {
   const init = { method: 'POST', headers: { 'Content-Type': 'application/octet-stream' }, body: bytes }
   return (await (await ask(path, init)).json()) as T
@@ -76,7 +83,7 @@ export const api = {
   connection: (id: string, plan: number, connection: number, through: [number, number, number][]) =>
     post<Schemas['Led']>(`${project(id)}/connection`, { plan, connection, through }),
   lettering: (wish: Schemas['LetteringWish']) => post<Lettered>('lettering', wish),
-  exportUrl: (id: string, format: string) => `/api/v1/${project(id)}/exports/${format}`,
+  exported: (id: string, format: string) => download(`${project(id)}/exports/${encodeURIComponent(format)}`),
   fileUrl: (id: string) => `/api/v1/${project(id)}/file`,
   eventsUrl: (id: string) => `/api/v1/${project(id)}/events`,
 }

@@ -17,7 +17,6 @@ export function ToolRail({ fit }: { fit: () => void }) {
           <span>{label}</span>
         </button>
       ))}
-      <span class="gap" />
       <button title="Show all (0)" onClick={fit}>
         <Icon name="fit" />
         <span>Fit</span>

@@ -5,6 +5,7 @@ import { newSketch, notify, openFile, openProject, projectId, redo, replaceDrawi
 import { useStore } from '../store'
 import { view } from '../view'
 import type { ViewState } from '../view'
+import { ExportList } from './ExportList'
 import { Icon } from './icons'
 
 /** A button that opens a list; closes on Escape, on a choice, and when something else is clicked. */
@@ -111,27 +112,6 @@ function ProjectMenu() {
   )
 }
 
-function ExportMenu() {
-  const formats = useStore(session, (s) => s.about?.exports)
-  const planned = useStore(session, (s) => s.drive !== null && !s.planning && s.failure === null)
-  return (
-    <Menu label="Export" icon="export">
-      {(close) => (
-        <div>
-          {!planned && <div class="caption">The plan is not ready yet.</div>}
-          {planned &&
-            formats?.map((format) => (
-              <a class="row" href={api.exportUrl(projectId(), format.name)} download onClick={close}>
-                <b>{format.name}</b>
-                <small>{format.what}</small>
-              </a>
-            ))}
-        </div>
-      )}
-    </Menu>
-  )
-}
-
 function Choice<K extends 'look' | 'connections'>({ of, label, choices }: { of: K; label: string; choices: [ViewState[K], string][] }) {
   const now = useStore(view, (v) => v[of])
   return (
@@ -196,7 +176,9 @@ export function TopBar() {
       <span class="gap" />
       <Choice of="look" label="Look" choices={[['outline', 'Outline'], ['realistic', 'Sand']]} />
       <ShowMenu />
-      <ExportMenu />
+      <Menu label="Export" icon="export">
+        {(close) => <ExportList close={close} />}
+      </Menu>
       <button class="plain" aria-pressed={open} aria-label="Panel" title="Panel" onClick={() => view.set({ panelOpen: !open })}>
         <Icon name="panel" />
       </button>
