@@ -96,10 +96,10 @@ int plan(const PlanArguments& arguments, const Common& common) {
     const std::string title = lettering                ? "text"
                               : arguments.input == "-" ? "stdin"
                                                        : fs::path(arguments.input).filename().string();
-    const auto refuse = [&](const Error& error) {
-        if (!lettering) return complain(in_file(error, title, arguments.input), fault_of(error));
-        return complain(error.place.empty() ? Error{title, error.reason, error.remedy} : error,
-                        fault_of(error));
+    const auto refuse = [&](Error error) {
+        if (!lettering) error = in_file(std::move(error), title, arguments.input);
+        if (error.place.empty()) error.place = title;
+        return complain(error, fault_of(error));
     };
     if (!document) return refuse(document.error());
     parts::Limit limit;

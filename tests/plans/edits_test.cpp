@@ -108,12 +108,14 @@ double nearest(const Curve& curve, Point p) {
 }
 
 TEST(Edits, AConnectionIsLedThroughPosesWithinTheLimits) {
-    const Plan plain = planned({});
+    // The area in one stroke: of several, another may come last where the way on is another.
+    const HintEdit whole{"inner", "fill-tips", "off"};
+    const Plan plain = planned({whole});
     const Trip trip = first_trip(plain);
     ASSERT_GE(trip.index, 0);
     const Pose pose = beside(trip.curve, 1);
     ASSERT_GT(nearest(trip.curve, pose.at), 0.5);
-    const Plan led = planned({ThroughEdit{trip.from, trip.to, {pose}}});
+    const Plan led = planned({whole, ThroughEdit{trip.from, trip.to, {pose}}});
     EXPECT_TRUE(led.idle_edits.empty());
     EXPECT_EQ(driven(led), driven(plain));
     const Curve& curve = led.connections[static_cast<std::size_t>(trip.index)].curve;
@@ -123,7 +125,7 @@ TEST(Edits, AConnectionIsLedThroughPosesWithinTheLimits) {
     ASSERT_TRUE(asked);
     EXPECT_EQ(asked->curve, curve);
     // Named the other way round it is the same way, driven back.
-    const Plan back = planned({ThroughEdit{trip.to, trip.from, {{pose.at, pose.heading - pi}}}});
+    const Plan back = planned({whole, ThroughEdit{trip.to, trip.from, {{pose.at, pose.heading - pi}}}});
     EXPECT_EQ(back.connections[static_cast<std::size_t>(trip.index)].curve, curve);
 }
 

@@ -153,7 +153,7 @@ TEST(FillsOfAPlan, TipsAreLeftToRobotsThatLoopAndLiftTheirPins) {
     const auto strokes = [](const std::string& robot, const std::string& tips) {
         return planned(robot, {{"fill.tips", tips}}, star).strokes.size();
     };
-    EXPECT_EQ(strokes("plotter", "all"), strokes("plotter", "off"));
+    EXPECT_EQ(strokes("turf", "all"), strokes("turf", "off"));
     EXPECT_GT(strokes("beachbot", "all"), strokes("beachbot", "off"));
 }
 
