@@ -272,8 +272,8 @@ Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::st
                 (shape.hop ? "" : "\" to \"" + job.groups[static_cast<std::size_t>(shape.b)].name) +
                 "\": " + ordered->unshaped[i]);
 
-    plan.samples =
-        trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});
+    plan.samples = trajectory::timed(legs_of(ordered->stretches), ordered->strokes, robot,
+                                     {.step = options.trajectory.step});
     const Warnings unlifted = pipeline::lift_pins(plan.samples, ordered->strokes, drawing, robot, options);
     pipeline::Fills fills = pipeline::account_for(job.groups, ordered->variants, kept.strokes, progress);
     plan.drawing = std::move(drawing);
