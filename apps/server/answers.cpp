@@ -181,7 +181,7 @@ std::string standing_text(const Workspace& workspace) {
         plan = {{"revision", now.planned->revision},
                 {"drawing", now.planned->drawing.tag},
                 {"drive", now.planned->drive.tag},
-                {"samples", now.planned->samples.tag},
+                {"samples", now.planned->samples->tag},
                 {"report", now.planned->report.tag}};
     const auto steps = [](const std::vector<std::string>& names) {
         return Json{{"count", names.size()}, {"next", names.empty() ? "" : names.back()}};

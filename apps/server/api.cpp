@@ -44,6 +44,19 @@ Reply part_reply(const Part& part, const Call& call) {
         same ? 304 : 200, part.type, same ? "" : part.bytes, {{"ETag", tag}, {"Cache-Control", "no-cache"}}};
 }
 
+/// All samples, or what makes them of those that the page has ("since": their tag), where they are known
+/// still.
+Reply samples_reply(const Planned& planned, const Call& call) {
+    const SampleRow& row = *planned.samples;
+    const std::string since = value_in(call.query, "since", "");
+    const SampleRow* base = row.tag == since ? &row : nullptr;
+    for (const auto& before : planned.before)
+        if (base == nullptr && before->tag == since) base = before.get();
+    Reply reply = part_reply({splice_text(row, base), "application/octet-stream", row.tag}, call);
+    if (base) reply.headers["Cache-Control"] = "no-store";  // good for one page, once
+    return reply;
+}
+
 Reply edit(Workspace& workspace, const Call& call) {
     if (call.body.size() > largest_json)
         return refusal(413, {"body", "is larger than 8 MB", "send fewer changes at once"});
@@ -181,7 +194,7 @@ Reply Api::answer_project(const Call& call, Workspace& workspace, const std::str
     }
     if (name == "drawing") return part_reply(planned->drawing, call);
     if (name == "drive") return part_reply(planned->drive, call);
-    if (name == "samples") return part_reply(planned->samples, call);
+    if (name == "samples") return samples_reply(*planned, call);
     if (name == "report") return part_reply(planned->report, call);
     return not_found(call.path);
 }

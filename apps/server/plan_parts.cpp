@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
 
 #include "result/formats/formats.hpp"
 #include "result/sketch/sketch.hpp"
@@ -79,69 +81,73 @@ Json list_of(const Values& values) {
     return list;
 }
 
+/// Lists that grow with the drawing are written without a tree of values: that takes ten times as long.
+class List {
+  public:
+    List(std::string& text, const char* key) : text_(text) { text_ += fmt::format("\"{}\":[", key); }
+    List(const List&) = delete;
+    List& operator=(const List&) = delete;
+    ~List() { text_ += "],"; }
+    std::back_insert_iterator<std::string> next() {
+        if (std::exchange(begun_, true)) text_ += ',';
+        return std::back_inserter(text_);
+    }
+
+  private:
+    std::string& text_;
+    bool begun_ = false;
+};
+
 /// First and last sample of each stroke.
-std::vector<std::pair<int, int>> spans_of(const Plan& plan) {
+std::vector<std::pair<int, int>> spans_of(const Plan& plan, const std::vector<sketch::Run>& runs) {
     std::vector<std::pair<int, int>> spans(plan.strokes.size(), {-1, -1});
-    for (std::size_t i = 0; i < plan.samples.size(); ++i) {
-        const int stroke = plan.samples[i].stroke;
-        if (stroke < 0 || plan.samples[i].motion != Motion::draw) continue;
-        auto& [first, last] = spans[static_cast<std::size_t>(stroke)];
-        if (first < 0) first = static_cast<int>(i);
-        last = static_cast<int>(std::min(i + 1, plan.samples.size() - 1));
+    for (const sketch::Run& run : runs) {
+        if (!run.draws) continue;
+        auto& [first, last] = spans[static_cast<std::size_t>(run.stroke)];
+        if (first < 0) first = static_cast<int>(run.first);
+        last = static_cast<int>(run.last);
     }
     return spans;
 }
 
-Json strokes_of(const Plan& plan) {
-    Json strokes = Json::array();
-    const auto spans = spans_of(plan);
+void add_strokes(std::string& text, const Plan& plan, const std::vector<sketch::Run>& runs) {
+    List list(text, "strokes");
+    const auto spans = spans_of(plan, runs);
     for (std::size_t k = 0; k < plan.strokes.size(); ++k) {
         const Stroke& stroke = plan.strokes[k];
         const Entry& entry = plan.order[k];
         const auto node = static_cast<std::size_t>(entry.node);
-        strokes.push_back({{"element", stroke.element},
-                           {"fill", stroke.fill},
-                           {"closed", stroke.closed},
-                           {"pins", stroke.pins},
-                           {"reversed", entry.reversed},
-                           {"node", node < stroke.nodes.size() ? stroke.nodes[node].drawn : -1},
-                           {"first", spans[k].first},
-                           {"last", spans[k].second}});
+        fmt::format_to(
+            list.next(),
+            R"({{"element":{},"fill":{},"closed":{},"pins":{},"reversed":{},"node":{},"first":{},"last":{}}})",
+            stroke.element, stroke.fill, stroke.closed, stroke.pins, entry.reversed,
+            node < stroke.nodes.size() ? stroke.nodes[node].drawn : -1, spans[k].first, spans[k].second);
     }
-    return strokes;
 }
 
-Json runs_of(const Plan& plan) {
-    Json runs = Json::array();
-    for (const sketch::Run& run : sketch::runs(plan.samples))
-        runs.push_back({run.first, run.last, run.mask, run.stroke, run.draws ? 1 : 0});
-    return runs;
+void add_runs(std::string& text, const std::vector<sketch::Run>& runs) {
+    List list(text, "runs");
+    for (const sketch::Run& run : runs)
+        fmt::format_to(list.next(), "[{},{},{},{},{}]", run.first, run.last, run.mask, run.stroke,
+                       run.draws ? 1 : 0);
 }
 
-Json connections_of(const Plan& plan) {
-    Json connections = Json::array();
+void add_connections(std::string& text, const Plan& plan) {
+    List list(text, "connections");
     for (const PlannedConnection& c : plan.connections) {
-        Json json{{"from", c.from}, {"to", c.to}, {"length", shown(length(c.curve))}};
+        auto at = list.next();
+        fmt::format_to(at, R"({{"from":{},"to":{},"length":{})", c.from, c.to, shown(length(c.curve)));
         if (c.from >= 0 && c.to >= 0) {
             const Stroke &a = plan.strokes[static_cast<std::size_t>(c.from)],
                          &b = plan.strokes[static_cast<std::size_t>(c.to)];
             if (a.fill && a.element == b.element) {
-                Json& hop = json["hop"] = Json::array();
-                add(hop, end_pose(a.rake_path.back()).at);
-                add(hop, b.rake_path.front().start.at);
+                const Point from = end_pose(a.rake_path.back()).at, to = b.rake_path.front().start.at;
+                fmt::format_to(at, R"(,"hop":[{},{},{},{}])", shown(from.x), shown(from.y), shown(to.x),
+                               shown(to.y));
             }
         }
-        connections.push_back(std::move(json));
+        text += '}';
     }
-    return connections;
-}
-
-template <class Number>
-void put(std::string& bytes, Number value) {
-    static_assert(std::endian::native == std::endian::little);
-    char raw[sizeof value];
-    std::memcpy(raw, &value, sizeof value);
-    bytes.append(raw, sizeof value);
 }
 
 }  // namespace
@@ -152,9 +158,22 @@ Part part_of(std::string bytes, std::string type) {
     return {std::move(bytes), std::move(type), fmt::format("{:016x}", hash)};
 }
 
-Part drawing_part(const Plan& plan) {
-    const Box field = field_of(plan);
-    const DriveArea area = drive_area_of(plan);
+Part DrawingMaker::part(const std::shared_ptr<const Plan>& plan) {
+    const Drawing& drawing = plan->drawing;
+    const double tolerance = plan->options.drawing.tolerance;
+    std::unordered_map<std::string_view, std::size_t> known;
+    if (last_ && last_->options.drawing.tolerance == tolerance)
+        for (std::size_t i = 0; i < last_->drawing.elements.size(); ++i)
+            known.try_emplace(last_->drawing.elements[i].id, i);
+    std::vector<std::string> texts;
+    for (const Element& element : drawing.elements) {
+        const auto same = known.find(element.id);
+        texts.push_back(same != known.end() && last_->drawing.elements[same->second] == element
+                            ? texts_[same->second]
+                            : text_of(json_of(element, tolerance)));
+    }
+    const Box field = field_of(*plan);
+    const DriveArea area = drive_area_of(*plan);
     Json keep_out = Json::array();
     for (const Region& region : area.keep_out) {
         Json rings = Json::array();
@@ -162,54 +181,41 @@ Part drawing_part(const Plan& plan) {
         for (const Polygon& hole : region.holes) rings.push_back(json_of(hole));
         keep_out.push_back(std::move(rings));
     }
-    Json elements = Json::array();
-    for (const Element& element : plan.drawing.elements)
-        elements.push_back(json_of(element, plan.options.drawing.tolerance));
-    const Canvas& canvas = plan.drawing.canvas;
-    return part_of(text_of({{"canvas", {{"width", canvas.width}, {"height", canvas.height}}},
-                            {"field", {field.low.x, field.low.y, field.high.x, field.high.y}},
-                            {"border", json_of(area.border.outer)},
-                            {"keep_out", std::move(keep_out)},
-                            {"scale", plan.drawing.scale},
-                            {"start", plan.drawing.start ? json_of(*plan.drawing.start) : Json()},
-                            {"elements", std::move(elements)}}),
-                   json_type);
+    std::string text = "{";
+    {
+        List list(text, "elements");
+        for (const std::string& element : texts) fmt::format_to(list.next(), "{}", element);
+    }
+    text += text_of({{"canvas", {{"width", drawing.canvas.width}, {"height", drawing.canvas.height}}},
+                     {"field", {field.low.x, field.low.y, field.high.x, field.high.y}},
+                     {"border", json_of(area.border.outer)},
+                     {"keep_out", std::move(keep_out)},
+                     {"scale", drawing.scale},
+                     {"start", drawing.start ? json_of(*drawing.start) : Json()}})
+                .substr(1);
+    texts_ = std::move(texts);
+    last_ = plan;
+    return part_of(std::move(text), json_type);
 }
 
-Part drive_part(const Plan& plan) {
+Part drive_part(const Plan& plan, const SampleRow& samples) {
+    const std::vector<sketch::Run> runs = runs_of(samples);
+    std::string text = "{";
+    add_strokes(text, plan, runs);
+    add_connections(text, plan);
+    add_runs(text, runs);
     Json stops = Json::array();
     for (const Stop& stop : plan.stops)
         stops.push_back({{"why", stop.why}, {"stroke", stop.stroke}, {"time", stop.time}});
-    return part_of(text_of({{"strokes", strokes_of(plan)},
-                            {"connections", connections_of(plan)},
-                            {"runs", runs_of(plan)},
-                            {"stops", std::move(stops)},
-                            {"figures", Json::parse(formats::write_figures(plan))},
-                            {"robot", Json::parse(formats::write_robot_json(plan.robot))},
-                            {"warnings", list_of(plan.warnings)},
-                            {"idle", plan.idle_edits},
-                            {"undrivable", list_of(plan.undrivable)},
-                            {"bare", list_of(plan.bare)}}),
-                   json_type);
-}
-
-Part samples_part(const Plan& plan) {
-    std::string bytes = "SLS1";
-    bytes.reserve(8 + plan.samples.size() * 33);
-    put(bytes, static_cast<std::uint32_t>(plan.samples.size()));
-    const auto column = [&](auto value) {
-        for (const Sample& sample : plan.samples) put(bytes, value(sample));
-    };
-    column([](const Sample& s) { return static_cast<float>(s.t); });
-    column([](const Sample& s) { return static_cast<float>(s.pose.at.x); });
-    column([](const Sample& s) { return static_cast<float>(s.pose.at.y); });
-    column([](const Sample& s) { return static_cast<float>(s.pose.heading); });
-    column([](const Sample& s) { return static_cast<float>(s.rake.x); });
-    column([](const Sample& s) { return static_cast<float>(s.rake.y); });
-    column([](const Sample& s) { return static_cast<std::uint32_t>(s.mask); });
-    column([](const Sample& s) { return static_cast<std::int32_t>(s.stroke); });
-    column([](const Sample& s) { return static_cast<std::uint8_t>(s.motion); });
-    return part_of(std::move(bytes), "application/octet-stream");
+    text += text_of({{"stops", std::move(stops)},
+                     {"figures", Json::parse(formats::write_figures(plan))},
+                     {"robot", Json::parse(formats::write_robot_json(plan.robot))},
+                     {"warnings", list_of(plan.warnings)},
+                     {"idle", plan.idle_edits},
+                     {"undrivable", list_of(plan.undrivable)},
+                     {"bare", list_of(plan.bare)}})
+                .substr(1);
+    return part_of(std::move(text), json_type);
 }
 
 Part report_part(const check::Report& report) { return part_of(formats::write_report(report), json_type); }

@@ -2,9 +2,11 @@
 // A plan as the editor takes it: parts with a tag each, so that only what changed is sent again.
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "plan/model/model.hpp"
 #include "result/check/check.hpp"
+#include "sample_row.hpp"
 
 namespace strandline::serve {
 
@@ -17,13 +19,18 @@ struct Part {
 };
 Part part_of(std::string bytes, std::string type);
 
-/// What is to be drawn: canvas, elements as points in metres, their nodes.
-Part drawing_part(const Plan& plan);
+/// What is to be drawn: canvas, elements as points in metres, their nodes. Elements that are as in the plan
+/// before are not written again.
+class DrawingMaker {
+  public:
+    Part part(const std::shared_ptr<const Plan>& plan);
+
+  private:
+    std::shared_ptr<const Plan> last_;
+    std::vector<std::string> texts_;  ///< of its elements
+};
 /// How it is driven: strokes in order, connections, runs of samples, stops, figures, what falls short.
-Part drive_part(const Plan& plan);
-/// The trajectory, little-endian: "SLS1", count n as uint32; then columns of n values each: float32 t, x, y,
-/// heading, rake x, rake y; uint32 mask; int32 stroke; uint8 motion (draw, lead, loop, connect, pivot).
-Part samples_part(const Plan& plan);
+Part drive_part(const Plan& plan, const SampleRow& samples);
 /// What check found.
 Part report_part(const check::Report& report);
 

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <exception>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -95,7 +94,7 @@ Event Workspace::standing_event() const {
         parts = {{"revision", planned_->revision},
                  {"drawing", planned_->drawing.tag},
                  {"drive", planned_->drive.tag},
-                 {"samples", planned_->samples.tag},
+                 {"samples", planned_->samples->tag},
                  {"report", planned_->report.tag}};
     return {"standing", line_of({{"revision", project_.revision},
                                  {"news", news_},
@@ -142,42 +141,56 @@ void Workspace::plan_anew(const State& state, long long revision) {
     });
 }
 
+Outcome<Draft> Workspace::draft_or_plan(const State& state, bool draft, const Progress& progress) {
+    const Source source{state.source->bytes, state.source->title};
+    if (draft) return planner_->draft(source, state.robot, state.options, state.edits, progress);
+    auto plan = planner_->plan(source, state.robot, state.options, state.edits, progress);
+    if (!plan) return tl::unexpected(plan.error());
+    return Draft{std::move(*plan), {}};
+}
+
 /// False: there is no plan, or nobody waits for it any more.
 bool Workspace::plan_and_publish(const State& state, long long revision, const std::atomic<bool>& stop,
                                  bool draft) {
-    Outcome<Plan> plan;
+    Outcome<Draft> made;
     try {
         if (!state.source || (state.source->bytes.empty() && state.edits.empty()))
-            plan = fail("drawing", "nothing is drawn yet", "draw, write, or drop a drawing here");
+            made = fail("drawing", "nothing is drawn yet", "draw, write, or drop a drawing here");
         else
-            plan = std::invoke(draft ? &Planner::draft : &Planner::plan, *planner_,
-                               Source{state.source->bytes, state.source->title}, state.robot, state.options,
-                               state.edits, progress_to(hub_, revision, stop, state.options.tour.time_limit));
+            made =
+                draft_or_plan(state, draft, progress_to(hub_, revision, stop, state.options.tour.time_limit));
     } catch (const Outdated&) {
         return false;
     } catch (const std::exception& error) {
-        plan = fail("planning", error.what(), "undo the last change, and report this with the project");
+        made = fail("planning", error.what(), "undo the last change, and report this with the project");
         planner_ = std::make_unique<Planner>();
     }
     if (stop) return false;
-    if (!plan) {
+    if (!made) {
         {
             const std::lock_guard lock(mutex_);
             if (revision != project_.revision) return false;
             planning_ = false;
             ++news_;
-            failure_ = plan.error();
+            failure_ = made.error();
         }
         tell_standing();
         return false;
     }
-    plan->program = program_;
+    made->plan.program = program_;
     auto planned = std::make_shared<Planned>();
     planned->revision = revision;
-    planned->drawing = drawing_part(*plan);
-    planned->drive = drive_part(*plan);
-    planned->samples = samples_part(*plan);
-    planned->plan = std::make_shared<const Plan>(std::move(*plan));
+    planned->plan = std::make_shared<const Plan>(std::move(made->plan));
+    planned->samples =
+        planned->plan->samples.empty() ? rows_.row_of(made->pieces) : rows_.row_of(*planned->plan);
+    planned->drawing = drawings_.part(planned->plan);
+    planned->drive = drive_part(*planned->plan, *planned->samples);
+    if (const auto last = this->planned()) {
+        constexpr std::size_t most_before = 4;
+        planned->before = {last->samples};
+        planned->before.insert(planned->before.end(), last->before.begin(), last->before.end());
+        if (planned->before.size() > most_before) planned->before.resize(most_before);
+    }
     return publish(std::move(planned), draft);
 }
 

@@ -41,8 +41,11 @@ class Latest {
 /// A plan and the parts of it that are sent.
 struct Planned {
     long long revision = 0;
-    std::shared_ptr<const Plan> plan;
-    Part drawing, drive, samples;
+    std::shared_ptr<const Plan> plan;  ///< a draft's may be without samples
+    Part drawing, drive;
+    std::shared_ptr<const SampleRow> samples;
+    /// Those of plans before, the newest first: pages have one of them.
+    std::vector<std::shared_ptr<const SampleRow>> before;
     Part report;  ///< tag "": not proved yet
 };
 
@@ -83,6 +86,7 @@ class Workspace {
 
   private:
     void plan_anew(const State& state, long long revision);
+    Outcome<Draft> draft_or_plan(const State& state, bool draft, const Progress& progress);
     bool plan_and_publish(const State& state, long long revision, const std::atomic<bool>& stop, bool draft);
     bool publish(std::shared_ptr<Planned> planned, bool draft);
     void tell_standing();
@@ -99,6 +103,8 @@ class Workspace {
     std::shared_ptr<const Planned> planned_;
     Hub hub_;
     std::unique_ptr<Planner> planner_;
+    DrawingMaker drawings_;
+    RowMaker rows_;
     // Last: they use all of the above. Planning gives proving its work, so it is ended first.
     std::unique_ptr<Latest> proving_thread_, planning_thread_;
 };

@@ -45,7 +45,7 @@ TEST(Order, EveryStrokeIsDrivenOnceAndLegsMeet) {
     std::sort(elements.begin(), elements.end());
     EXPECT_EQ(elements, (std::vector<int>{0, 1, 2}));
     EXPECT_EQ(answer->connections.size(), 2u);
-    expect_legs_meet(answer->legs);
+    expect_legs_meet(legs_of(answer->stretches));
 }
 
 TEST(Order, StraightLengthIsWhatLiesBetweenTheStrokes) {
@@ -96,9 +96,9 @@ TEST(Order, StrokesThatTouchAreJoinedDirectlyAndStayTheirOwn) {
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->direct, 1);
     EXPECT_TRUE(answer->connections.empty());
-    expect_legs_meet(answer->legs);
+    expect_legs_meet(legs_of(answer->stretches));
     double drawn[2] = {0, 0}, up = 0;
-    for (const Leg& leg : answer->legs)
+    for (const Leg& leg : legs_of(answer->stretches))
         for (std::size_t i = 1; i < leg.path.size(); ++i) {
             const double d = distance(rake_at(robot, leg.path[i - 1].pose), rake_at(robot, leg.path[i].pose));
             if (leg.motion == Motion::draw)

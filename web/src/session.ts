@@ -75,13 +75,18 @@ async function refreshStanding(id: string): Promise<Standing> {
   return standing
 }
 
+async function newSamples(id: string, before: Samples): Promise<Samples> {
+  const { bytes, tag } = await api.samples(id, before.tag)
+  return readSamples(bytes, tag, before)
+}
+
 /** Takes over the parts of the plan that changed. Drawing, drive and samples belong together and are shown together. */
 async function takePlan(id: string, plan: StandingEvent['plan']): Promise<void> {
   if (!plan) return
   const [drawing, drive, samples] = await Promise.all([
     plan.drawing === tags.drawing ? session.now.drawing : api.drawing(id),
     plan.drive === tags.drive ? session.now.drive : api.drive(id),
-    plan.samples === tags.samples ? session.now.samples : api.samples(id).then(readSamples),
+    plan.samples === session.now.samples.tag ? session.now.samples : newSamples(id, session.now.samples),
   ])
   const report = plan.report === '' ? null : plan.report === tags.report ? session.now.report : await api.report(id)
   if (id !== current) return

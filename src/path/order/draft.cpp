@@ -13,11 +13,6 @@ namespace {
 /// Of names: this one is a corner's loop.
 constexpr std::uint64_t loop_bit = std::uint64_t{1} << 63;
 
-void append_pivot(std::vector<Leg>& legs, Pose at, double turn) {
-    if (turn == 0) return;
-    legs.push_back({Motion::pivot, -1, {{0, at, 0}, {0, {at.at, at.heading + turn}, 0}}, {}});
-}
-
 /// A stroke as planned, and what it is of.
 struct Link {
     Planned planned;
@@ -53,10 +48,10 @@ class Drafter {
             progress.report("driving", static_cast<double>(k) / static_cast<double>(chains.size()));
             std::vector<Planned> chain;
             for (const Link& link : chains[k]) chain.push_back(link.planned);
-            drive::Drive driven = kept_.drives.driven(chain, answer_.strokes, robot_, options_.drive);
-            if (from) connect(*from, last, driven.start, &chains[k].front());
+            const Drives::Answer driven = kept_.drives.driven(chain, answer_.strokes, robot_, options_.drive);
+            if (from) connect(*from, last, driven.drive->start, &chains[k].front());
             take(driven, chains[k]);
-            from = driven.end;
+            from = driven.drive->end;
             last = &chains[k].back();
             for (const Link& link : chains[k])
                 if (link.last) finish(goings_[link.place].step.element);
@@ -137,6 +132,7 @@ class Drafter {
             return static_cast<std::uint64_t>(link ? search_->row[link->place] + 1 : 0);
         };
         const std::uint64_t which = name(last) << 42 | name(next) << 21 | static_cast<std::uint64_t>(number);
+        catch_up();
         Driven driven = search_->made.connected(which, from, to, finished_, search_->pairs, options_);
         if (last && next && last->place != next->place)
             search_->pairs.learn(search_->row[last->place], search_->row[next->place],
@@ -183,11 +179,7 @@ class Drafter {
         const bool turns = options_.connect.style == connect::Style::straight || robot_.min_radius <= 0;
         answer_.dubins += !turns ? dubins_length(from.pose, to.pose, robot_.min_radius)
                                  : distance(from.pose.at, to.pose.at);
-        append_pivot(answer_.legs, from.pose, joint.turn_before);
-        if (!joint.curve.pieces.empty())
-            answer_.legs.push_back(
-                {Motion::connect, -1, states_along(joint.curve, options_.drive.step), joint.curve});
-        append_pivot(answer_.legs, end_pose(joint.curve), joint.turn_after);
+        answer_.stretches.push_back({kept_.joints.legs(from, to, joint, options_.drive.step), 0});
         answer_.connections.push_back(
             {before, after, joint.turn_before, joint.turn_after, joint.curve, std::move(driven.through)});
     }
@@ -212,30 +204,48 @@ class Drafter {
         driven.spoilt = search_ ? spoilt(driven.joint.curve, finished_, search_->pairs, options_) : Spoilt{};
     }
 
-    void take(drive::Drive& driven, const std::vector<Link>& chain) {
+    void take(const Drives::Answer& driven, const std::vector<Link>& chain) {
+        const drive::Drive& drive = *driven.drive;
+        const int first = chain.front().planned.stroke;
+        const auto link_of = [&](const Leg& leg) -> const Link& {
+            return *std::ranges::find(chain, first + leg.stroke,
+                                      [](const Link& link) { return link.planned.stroke; });
+        };
+        std::vector<Leg> led;  // all legs, where one is a loop
         int number = 0;
-        for (Leg& leg : driven.legs) {
-            const auto link =
-                std::ranges::find(chain, leg.stroke, [](const Link& l) { return l.planned.stroke; });
-            if (leg.motion == Motion::draw) rake(leg, *link);
+        for (std::size_t i = 0; i < drive.legs.size(); ++i) {
+            const Leg& leg = drive.legs[i];
+            if (leg.motion == Motion::draw) rake(driven.drive, i, link_of(leg));
+            if (leg.motion != Motion::loop) continue;
+            if (led.empty()) led = drive.legs;
             // Those of fills are the same whichever way they are taken, but for variants, which say so.
-            if (leg.motion == Motion::loop) {
-                if (answer_.strokes[static_cast<std::size_t>(leg.stroke)].fill)
-                    cost_ -= worth(leg.curve, options_);
-                cost_ += led_round(leg, *link, number++);
-            }
-            answer_.legs.push_back(std::move(leg));
+            if (answer_.strokes[static_cast<std::size_t>(first + leg.stroke)].fill)
+                cost_ -= worth(leg.curve, options_);
+            cost_ += led_round(led[i], link_of(leg), number++);
         }
-        for (const drive::Span& span : driven.undrivable) answer_.undrivable.push_back(span);
-        answer_.exact += driven.exact;
-        answer_.rounded += driven.rounded;
-        answer_.loops += driven.loops;
-        answer_.pivots += driven.pivots;
+        if (!led.empty() && (!driven.led || *driven.led != led))
+            driven.led = std::make_shared<const std::vector<Leg>>(std::move(led));
+        answer_.stretches.push_back(
+            {number > 0 ? driven.led : std::shared_ptr<const std::vector<Leg>>(driven.drive, &drive.legs),
+             first});
+        for (const drive::Span& span : drive.undrivable) answer_.undrivable.push_back(span);
+        answer_.exact += drive.exact;
+        answer_.rounded += drive.rounded;
+        answer_.loops += drive.loops;
+        answer_.pivots += drive.pivots;
     }
 
-    void rake(const Leg& leg, const Link& link) {
-        const Stroke& stroke = answer_.strokes[static_cast<std::size_t>(leg.stroke)];
-        if (search_) finished_.raked.draw(leg, stroke, name_of(link, 0));
+    void rake(const std::shared_ptr<const drive::Drive>& drive, std::size_t leg, const Link& link) {
+        if (!search_) return;
+        unraked_.push_back({drive, leg, link.planned.stroke, name_of(link, 0)});
+        if (!search_->mends) catch_up();
+    }
+    /// Draws what was left for later: much of it is finished before anything is connected anew.
+    void catch_up() {
+        for (const Unraked& one : unraked_)
+            finished_.raked.draw(one.drive->legs[one.leg],
+                                 answer_.strokes[static_cast<std::size_t>(one.stroke)], one.name);
+        unraked_.clear();
     }
 
     /// A corner's loop, round what is finished and what is hard; its cost.
@@ -247,7 +257,7 @@ class Drafter {
         const CurvatureState from = state(point_at(leg.curve, 0)),
                              to = state(point_at(leg.curve, length(leg.curve)));
         const Driven driven = led_loop(leg, loop_bit | name_of(link, number), from, to);
-        note(driven, leg.stroke, leg.stroke);
+        note(driven, link.planned.stroke, link.planned.stroke);
         leg.curve = driven.joint.curve;
         leg.path = states_along(leg.curve, options_.drive.step);
         return driven.cost;
@@ -257,6 +267,7 @@ class Drafter {
                     const CurvatureState& to) {
         if (search_->mends)
             if (const Driven* before = kept_.joints.find(from, to)) return *before;
+        catch_up();
         const Driven& driven = search_->made.connected(which, from, to, finished_, search_->pairs, options_,
                                                        connect::Connection{.curve = leg.curve});
         kept_.joints.keep(from, to, driven);
@@ -268,7 +279,13 @@ class Drafter {
         const Group& done = job_.groups[static_cast<std::size_t>(group)];
         const Regions& area = done.area;
         // the last part of an area has it; lines have none
-        if (!area.empty() || !done.work.strokes.front().fill) finished_.raked.finish(done.work.element);
+        if (!area.empty() || !done.work.strokes.front().fill) {
+            const int element = done.work.element;
+            std::erase_if(unraked_, [&](const Unraked& one) {
+                return answer_.strokes[static_cast<std::size_t>(one.stroke)].element == element;
+            });
+            finished_.raked.finish(element);
+        }
         if (!search_ || !options_.avoid.on || area.empty()) return;
         finished_.ground.add(area);
         finished_.areas.add(area);
@@ -282,6 +299,14 @@ class Drafter {
     const Search* search_;
     Memory::Kept& kept_;
     Finished finished_;
+    /// What is raked by now and not looked at yet.
+    struct Unraked {
+        std::shared_ptr<const drive::Drive> drive;
+        std::size_t leg;
+        int stroke;
+        std::uint64_t name;
+    };
+    std::vector<Unraked> unraked_;
     Ordered answer_;
     double cost_ = 0;
 };

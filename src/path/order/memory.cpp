@@ -7,9 +7,9 @@
 namespace strandline::order {
 namespace {
 
-void count_from(drive::Drive& drive, int first) {
-    for (Leg& leg : drive.legs)
-        if (leg.stroke >= 0) leg.stroke += first;
+void append_pivot(std::vector<Leg>& legs, Pose at, double turn) {
+    if (turn == 0) return;
+    legs.push_back({Motion::pivot, -1, {{0, at, 0}, {0, {at.at, at.heading + turn}, 0}}, {}});
 }
 
 std::array<double, 8> key_of(const CurvatureState& a, const CurvatureState& b) {
@@ -23,24 +23,25 @@ bool same_paths(const std::vector<std::vector<Curve>>& paths, const std::vector<
 
 }  // namespace
 
-drive::Drive Drives::driven(const std::vector<Planned>& chain, const std::vector<Stroke>& strokes,
-                            const Robot& robot, const drive::Options& options) {
+Drives::Answer Drives::driven(const std::vector<Planned>& chain, const std::vector<Stroke>& strokes,
+                              const Robot& robot, const drive::Options& options) {
     const int first = chain.front().stroke;
     const Pose start = chain.front().rake_path.front().start, end = end_pose(chain.back().rake_path.back());
     const bool fill = strokes[static_cast<std::size_t>(first)].fill;
     One& one = by_ends_[{start.at.x, start.at.y, start.heading, end.at.x, end.at.y, end.heading,
                          static_cast<double>(chain.size())}];
-    if (one.fill != fill || !same_paths(one.rake_paths, chain)) {
+    if (!one.drive || one.fill != fill || !same_paths(one.rake_paths, chain)) {
         one.rake_paths.clear();
         for (const Planned& link : chain) one.rake_paths.push_back(link.rake_path);
         one.fill = fill;
-        one.drive = drive_chain(chain, strokes, robot, options);
-        count_from(one.drive, -first);
+        auto drive = std::make_shared<drive::Drive>(drive_chain(chain, strokes, robot, options));
+        for (Leg& leg : drive->legs)
+            if (leg.stroke >= 0) leg.stroke -= first;
+        one.drive = std::move(drive);
+        one.led.reset();
     }
     one.used = true;
-    drive::Drive drive = one.drive;
-    count_from(drive, first);
-    return drive;
+    return {one.drive, one.led};
 }
 
 void Drives::begin() {
@@ -59,11 +60,29 @@ const Driven* Joints::find(const CurvatureState& from, const CurvatureState& to)
 void Joints::keep(const CurvatureState& from, const CurvatureState& to, const Driven& driven) {
     by_states_[key_of(from, to)] = {driven};
 }
+std::shared_ptr<const std::vector<Leg>> Joints::legs(const CurvatureState& from, const CurvatureState& to,
+                                                     const connect::Connection& joint, double step) {
+    Driving& kept = driving_[key_of(from, to)];
+    kept.used = true;
+    if (kept.legs && kept.turn_before == joint.turn_before && kept.turn_after == joint.turn_after &&
+        kept.step == step && kept.curve == joint.curve)
+        return kept.legs;
+    std::vector<Leg> legs;
+    append_pivot(legs, from.pose, joint.turn_before);
+    if (!joint.curve.pieces.empty())
+        legs.push_back({Motion::connect, -1, states_along(joint.curve, step), joint.curve});
+    append_pivot(legs, end_pose(joint.curve), joint.turn_after);
+    kept = {joint.turn_before, joint.turn_after, step, joint.curve,
+            std::make_shared<const std::vector<Leg>>(std::move(legs))};
+    return kept.legs;
+}
 void Joints::begin() {
     for (auto& [key, one] : by_states_) one.used = false;
+    for (auto& [key, one] : driving_) one.used = false;
 }
 void Joints::end() {
     std::erase_if(by_states_, [](const auto& entry) { return !entry.second.used; });
+    std::erase_if(driving_, [](const auto& entry) { return !entry.second.used; });
 }
 
 std::vector<int> numbers_of(const Job& job) {

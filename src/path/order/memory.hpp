@@ -11,8 +11,14 @@ namespace strandline::order {
 /// Chains as they were driven: the same rake paths are driven the same way.
 class Drives {
   public:
-    drive::Drive driven(const std::vector<Planned>& chain, const std::vector<Stroke>& strokes,
-                        const Robot& robot, const drive::Options& options);
+    struct Answer {
+        std::shared_ptr<const drive::Drive> drive;  ///< strokes count from the chain's first
+        /// What its legs became once their loops were led: whoever leads them keeps it here.
+        std::shared_ptr<const std::vector<Leg>>& led;
+    };
+    /// The answer is good until the next call.
+    Answer driven(const std::vector<Planned>& chain, const std::vector<Stroke>& strokes, const Robot& robot,
+                  const drive::Options& options);
     /// Another order begins, or has come to its end: what it had no use for is forgotten.
     void begin();
     void end();
@@ -21,7 +27,8 @@ class Drives {
     struct One {
         std::vector<std::vector<Curve>> rake_paths;
         bool fill = false;
-        drive::Drive drive;  ///< strokes count from the chain's first
+        std::shared_ptr<const drive::Drive> drive;
+        std::shared_ptr<const std::vector<Leg>> led;
         bool used = true;
     };
     /// Where a chain begins and ends, and of how many strokes it is.
@@ -33,6 +40,9 @@ class Joints {
   public:
     const Driven* find(const CurvatureState& from, const CurvatureState& to);
     void keep(const CurvatureState& from, const CurvatureState& to, const Driven& driven);
+    /// What `joint` is as legs, from one state to the other.
+    std::shared_ptr<const std::vector<Leg>> legs(const CurvatureState& from, const CurvatureState& to,
+                                                 const connect::Connection& joint, double step);
     void clear() { by_states_.clear(); }
     void begin();
     void end();
@@ -42,7 +52,14 @@ class Joints {
         Driven driven;
         bool used = true;
     };
+    struct Driving {
+        double turn_before, turn_after, step;
+        Curve curve;
+        std::shared_ptr<const std::vector<Leg>> legs;
+        bool used = true;
+    };
     std::map<std::array<double, 8>, One> by_states_;
+    std::map<std::array<double, 8>, Driving> driving_;
 };
 
 struct Memory::Kept {

@@ -11,7 +11,7 @@
 #include "math/region/region.hpp"
 #include "path/connect/connect.hpp"
 #include "path/drive/drive.hpp"
-#include "path/stroke/stroke.hpp"
+#include "path/stroke/stretch.hpp"
 #include "path/tour/tour.hpp"
 
 namespace strandline::order {
@@ -105,10 +105,10 @@ struct Connection {
     std::vector<Pose> through = {};  ///< what it was led through, round finished ground
 };
 struct Ordered {
-    std::vector<Stroke> strokes;  ///< in driving order
-    std::vector<Entry> entries;   ///< one per stroke
-    std::vector<int> variants;    ///< by group: which was taken; -1: its own strokes
-    std::vector<Leg> legs;        ///< end to end
+    std::vector<Stroke> strokes;     ///< in driving order
+    std::vector<Entry> entries;      ///< one per stroke
+    std::vector<int> variants;       ///< by group: which was taken; -1: its own strokes
+    std::vector<Stretch> stretches;  ///< end to end
     std::vector<Connection> connections;
     std::vector<Blemish> blemishes;
     double straight = 0;  ///< m, rake centre, from stroke end to stroke start
@@ -124,7 +124,7 @@ struct Ordered {
 };
 
 /// What is kept of one order for the next, an edit later: the row, how strokes are driven and what is driven
-/// between them. For one robot and one set of options. Holds the memory of the answer's legs.
+/// between them. For one robot and one set of options. Holds the answer's legs, which it shares.
 class Memory {
   public:
     struct Kept;

@@ -10,19 +10,13 @@ namespace {
 // Samples hold rounded curvatures; a hair below the limits keeps what is measured from them within.
 constexpr double share_of_limit = 0.98;
 
-/// What bounds u = v^2 on one interval: k is the larger |curvature| of its ends, dk its slope.
-struct Interval {
-    double length, k, dk, limit;
-};
+}  // namespace
 
-Interval interval(const Course& run, std::size_t i) {
-    const double length = run.s[i + 1] - run.s[i];
-    return {length, std::max(std::abs(run.curvature[i]), std::abs(run.curvature[i + 1])),
-            std::abs(run.curvature[i + 1] - run.curvature[i]) / length, run.limit[i]};
+Interval interval_of(double length, double curvature, double next_curvature, double limit) {
+    return {length, std::max(std::abs(curvature), std::abs(next_curvature)),
+            std::abs(next_curvature - curvature) / length, limit};
 }
 
-/// Largest u that is allowed anywhere on the interval: speed, turn rate, and turn acceleration at constant
-/// speed.
 double cap(const Interval& at, const Robot& robot) {
     double u = at.limit * at.limit;
     if (at.k > 0) u = std::min(u, std::pow(share_of_limit * robot.turn_rate / at.k, 2));
@@ -30,8 +24,6 @@ double cap(const Interval& at, const Robot& robot) {
     return u;
 }
 
-/// Largest u at the far end of an interval that began with `from`: acceleration, and what turning leaves of
-/// the turn acceleration when taken at the far end (the faster one): k a <= alpha - dk u.
 double reached(double from, const Interval& at, const Robot& robot) {
     double u = from + 2 * share_of_limit * robot.acceleration * at.length;
     if (at.k > 0) {
@@ -41,12 +33,12 @@ double reached(double from, const Interval& at, const Robot& robot) {
     return std::max(u, 0.0);
 }
 
-}  // namespace
-
 std::vector<double> speeds_along(const Course& run, const Robot& robot) {
     const std::size_t n = run.s.size();
     std::vector<Interval> intervals(n - 1);
-    for (std::size_t i = 0; i + 1 < n; ++i) intervals[i] = interval(run, i);
+    for (std::size_t i = 0; i + 1 < n; ++i)
+        intervals[i] =
+            interval_of(run.s[i + 1] - run.s[i], run.curvature[i], run.curvature[i + 1], run.limit[i]);
     std::vector<double> u(n);
     u[0] = 0;
     for (std::size_t i = 1; i < n; ++i) {

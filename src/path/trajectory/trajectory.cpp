@@ -7,20 +7,13 @@
 #include <utility>
 
 #include "path/trajectory/speeds.hpp"
+#include "path/trajectory/timer.hpp"
 
 namespace strandline::trajectory {
 namespace {
 
-// Curvature that differs less than this between two legs is the same number after rounding, not a jump.
-constexpr double same_curvature = 1e-6;
 // Radians between samples of a turn on the spot.
 constexpr double pivot_step = 0.1;
-
-/// A part of a leg without a jump of curvature inside.
-struct Part {
-    const Leg* leg;
-    std::vector<RobotState> states;  ///< evenly spaced; s from 0
-};
 
 /// Halves the step from the last of `fine` to `to` until curvature linear in between explains its headings.
 void add_refined(const Leg& leg, double from, const RobotState& to, int halvings,
@@ -64,7 +57,11 @@ std::vector<RobotState> evenly(const Leg& leg, double from, double to, double st
     return refined(leg, from, states);
 }
 
-/// Cuts a leg where its curvature jumps. The states next to a jump carry the curvature of their own side.
+/// Pins down between strokes.
+unsigned mask_between(const Robot& robot) { return robot.lifts ? 0 : pin_mask(robot, robot.pins); }
+
+}  // namespace
+
 std::vector<Part> parts_of(const Leg& leg, double step) {
     std::vector<Part> parts;
     if (!leg.curve.pieces.empty() || leg.path.empty()) {
@@ -89,10 +86,6 @@ std::vector<Part> parts_of(const Leg& leg, double step) {
     return parts;
 }
 
-/// Pins down between strokes.
-unsigned mask_between(const Robot& robot) { return robot.lifts ? 0 : pin_mask(robot, robot.pins); }
-
-/// Turning on the spot by `turn` takes a trapezoid of turn rate; the samples are spaced in angle.
 void add_pivot(std::vector<Sample>& samples, const Leg& leg, const Robot& robot, double& t) {
     const RobotState& from = leg.path.front();
     const double turn = wrap_angle(leg.path.back().pose.heading - from.pose.heading);
@@ -115,6 +108,40 @@ void add_pivot(std::vector<Sample>& samples, const Leg& leg, const Robot& robot,
     }
 }
 
+bool turns(const Leg& leg) {
+    return !leg.path.empty() && wrap_angle(leg.path.back().pose.heading - leg.path.front().pose.heading) != 0;
+}
+
+Sample sample_at(const Robot& robot, const RobotState& state, double t, Motion motion, int stroke, int pins,
+                 double speed) {
+    Sample sample;
+    sample.t = t;
+    sample.pose = {state.pose.at, wrap_angle(state.pose.heading)};
+    sample.curvature = state.curvature;
+    sample.speed = speed;
+    sample.turn_rate = speed * state.curvature;
+    sample.rake = rake_at(robot, state.pose);
+    sample.motion = motion;
+    if (motion == Motion::draw) {
+        sample.stroke = stroke;
+        sample.mask = pin_mask(robot, pins);
+    } else {
+        sample.mask = mask_between(robot);
+    }
+    return sample;
+}
+
+std::optional<Sample> waiting_before(const Sample& first, const Robot& robot) {
+    if (robot.lift_delay <= 0 || !robot.lifts || first.mask == 0) return std::nullopt;
+    Sample stands = first;
+    stands.mask = 0;
+    stands.motion = Motion::lead;
+    stands.stroke = -1;
+    return stands;
+}
+
+namespace {
+
 /// Gathers parts until the robot must stand, times them, and goes on. `stood_` is where it stands now:
 /// whoever comes next writes the sample there (a run its first, a pivot its first, the end the last), so that
 /// no instant is written twice.
@@ -125,9 +152,7 @@ class Timer {
 
     void add(const Leg& leg) {
         if (leg.motion == Motion::pivot) {
-            if (leg.path.empty() ||
-                wrap_angle(leg.path.back().pose.heading - leg.path.front().pose.heading) == 0)
-                return;
+            if (!turns(leg)) return;
             stand();
             add_pivot(samples_, leg, robot_, t_);
             stood_ = leg.path.back();
@@ -151,21 +176,8 @@ class Timer {
 
   private:
     Sample sample_at(const RobotState& state, Motion motion, int stroke, double speed) const {
-        Sample sample;
-        sample.t = t_;
-        sample.pose = {state.pose.at, wrap_angle(state.pose.heading)};
-        sample.curvature = state.curvature;
-        sample.speed = speed;
-        sample.turn_rate = speed * state.curvature;
-        sample.rake = rake_at(robot_, state.pose);
-        sample.motion = motion;
-        if (motion == Motion::draw) {
-            sample.stroke = stroke;
-            sample.mask = pin_mask(robot_, strokes_[static_cast<std::size_t>(stroke)].pins);
-        } else {
-            sample.mask = mask_between(robot_);
-        }
-        return sample;
+        const int pins = motion == Motion::draw ? strokes_[static_cast<std::size_t>(stroke)].pins : 0;
+        return trajectory::sample_at(robot_, state, t_, motion, stroke, pins, speed);
     }
 
     /// Stands with the pins as they are while the curvature jumps.
@@ -213,13 +225,11 @@ class Timer {
 
 /// A drive that begins with a stroke waits until its pins are down; all others are told while it drives.
 std::vector<Sample> waiting(std::vector<Sample> samples, const Robot& robot) {
-    if (robot.lift_delay <= 0 || !robot.lifts || samples.empty() || samples.front().mask == 0) return samples;
-    Sample stands = samples.front();
+    if (samples.empty()) return samples;
+    const std::optional<Sample> stands = waiting_before(samples.front(), robot);
+    if (!stands) return samples;
     for (Sample& sample : samples) sample.t += robot.lift_delay;
-    stands.mask = 0;
-    stands.motion = Motion::lead;
-    stands.stroke = -1;
-    samples.insert(samples.begin(), stands);
+    samples.insert(samples.begin(), *stands);
     return samples;
 }
 

@@ -131,7 +131,7 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
     f.elements = static_cast<int>(plan.drawing.elements.size());
     f.regions = static_cast<int>(std::ranges::count_if(plan.drawing.elements, is_region));
     f.lines = f.elements - f.regions;
-    f.strokes = static_cast<int>(ordered.strokes.size());
+    f.strokes = static_cast<int>(plan.strokes.size());
     f.up_straight = ordered.straight;
     f.up_dubins = ordered.dubins;
     f.corners_exact = ordered.exact;
@@ -160,7 +160,21 @@ void take_account(Plan& plan, const order::Ordered& ordered) {
     }
     for (const order::Connection& c : ordered.connections)
         plan.connections.push_back({c.from, c.to, c.turn_before, c.turn_after, c.curve});
-    parts::measure(f, plan.samples);
+}
+
+/// Whether all that a plan tells of its samples is told without them: then its figures are taken from the
+/// pieces. Where pins are lifted one by one, the drive waits, begins or ends somewhere, or the robot is where
+/// it must not be, single samples matter.
+bool measured_by_pieces(Plan& plan, const std::vector<trajectory::Placed>& pieces,
+                        pipeline::MeasuredPieces& measured) {
+    const Options::Park& park = plan.options.park;
+    if (park.parked || park.exit != "none" || std::ranges::any_of(plan.strokes, &Stroke::fill) ||
+        !pipeline::stops_of(plan).empty())
+        return false;
+    Figures figures = plan.figures;
+    if (!measured.measure(figures, pieces, drive_area_of(plan), plan.robot)) return false;
+    plan.figures = figures;
+    return true;
 }
 
 /// Kicks of the search for a draft whose row cannot be mended: a tenth of the time of a full search for 90
@@ -229,7 +243,8 @@ Outcome<void> valid(const Options& options, const Robot& robot) {
 
 Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::string& title,
                                 const Robot& robot, const Options& options, const std::vector<Edit>& edits,
-                                Kept& kept, bool draft, const Progress& progress) {
+                                Kept& kept, std::vector<trajectory::Placed>* draft,
+                                const Progress& progress) {
     std::vector<std::string> idle = pipeline::apply_to_drawing(drawing, edits, robot);
     pipeline::Strokes strokes =
         pipeline::strokes_of(drawing, robot, options, kept.strokes, patient(progress));
@@ -262,7 +277,7 @@ Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::st
     for (std::string& gone : pipeline::apply_edits(job, edits)) plan.idle_edits.push_back(std::move(gone));
     pipeline::keep_within_batches(job);
     pipeline::add_surroundings(job, drawing, options, robot);
-    auto ordered = in_order(job, robot, options, kept, draft, progress);
+    auto ordered = in_order(job, robot, options, kept, draft != nullptr, progress);
     if (!ordered) return tl::unexpected(ordered.error());
     for (std::size_t i = 0; i < job.shapes.size(); ++i)
         if (const order::Shape& shape = job.shapes[i]; !ordered->unshaped[i].empty())
@@ -272,11 +287,21 @@ Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::st
                 (shape.hop ? "" : "\" to \"" + job.groups[static_cast<std::size_t>(shape.b)].name) +
                 "\": " + ordered->unshaped[i]);
 
-    plan.samples =
-        trajectory::timed(ordered->legs, ordered->strokes, robot, {.step = options.trajectory.step});
-    const Warnings unlifted = pipeline::lift_pins(plan.samples, ordered->strokes, drawing, robot, options);
-    pipeline::Fills fills = pipeline::account_for(job.groups, ordered->variants, kept.strokes, progress);
     plan.drawing = std::move(drawing);
+    plan.strokes = std::move(ordered->strokes);
+    plan.order = std::move(ordered->entries);
+    const trajectory::Options spaced{.step = options.trajectory.step};
+    if (!draft) {
+        plan.samples = trajectory::timed(legs_of(ordered->stretches), plan.strokes, robot, spaced);
+    } else {
+        *draft = kept.pieces.timed(ordered->stretches, plan.strokes, robot, spaced);
+        if (!measured_by_pieces(plan, *draft, kept.measured)) {
+            plan.samples = trajectory::joined(*draft);
+            draft->clear();
+        }
+    }
+    const Warnings unlifted = pipeline::lift_pins(plan.samples, plan.strokes, plan.drawing, robot, options);
+    pipeline::Fills fills = pipeline::account_for(job.groups, ordered->variants, kept.strokes, progress);
     plan.figures.fill_area = fills.account.area;
     plan.figures.fill_swept = fills.swept;
     plan.figures.fill_coverage = fills.account.coverage;
@@ -288,14 +313,13 @@ Outcome<Plan> pipeline::planned(const Read& read, Drawing drawing, const std::st
     plan.figures.fallbacks =
         strokes.fallbacks + static_cast<int>(unlifted.size() + read.wrong_hints.size()) + ordered->fallbacks;
     take_account(plan, *ordered);
+    if (!plan.samples.empty()) parts::measure(plan.figures, plan.samples);
     add(plan.warnings, read.document.warnings);
     add(plan.warnings, plan.drawing.warnings);
     add(plan.warnings, dropped(plan.drawing, options));
     add(plan.warnings, strokes.warnings);
     add(plan.warnings, ordered->warnings);
     add(plan.warnings, unlifted);
-    plan.strokes = std::move(ordered->strokes);
-    plan.order = std::move(ordered->entries);
     plan.stops = pipeline::stops_of(plan);
     pipeline::take_surroundings(plan);
     pipeline::say_shortfalls(plan);

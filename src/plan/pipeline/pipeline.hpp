@@ -9,6 +9,7 @@
 #include "base/outcome/outcome.hpp"
 #include "input/svg/svg.hpp"
 #include "input/trace/trace.hpp"
+#include "path/trajectory/pieces.hpp"
 #include "plan/model/model.hpp"
 
 namespace strandline {
@@ -45,6 +46,16 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
 Outcome<Plan> make_plan(const Source& source, const Robot& robot, const Options& options,
                         const std::vector<Edit>& edits = {}, const Progress& progress = {});
 
+/// What is shown until the plan is there. The samples are the plan's, where pins are lifted one by one,
+/// something is told about single samples, or the drive waits; else they are left in pieces, those that did
+/// not change the same objects as before, and the plan has none.
+struct Draft {
+    Plan plan;
+    std::vector<trajectory::Placed> pieces;
+};
+/// With all samples. O(samples).
+Plan whole(Draft draft);
+
 /// Makes one plan after the other of a drawing that is being edited: the file read, the drawing and the
 /// strokes of single elements are kept and made again only where what they follow from has changed, and so is
 /// how strokes are driven. The plans are those of make_plan(). Holds the memory of two plans. One thread at a
@@ -59,13 +70,14 @@ class Planner {
                        const std::vector<Edit>& edits = {}, const Progress& progress = {});
     /// Soon: the last plan's order mended, only what an edit touches connected anew (order::mended). What the
     /// search would gain, and ways round what is finished elsewhere by now, are left to plan(). Marked as not
-    /// reproducible.
-    Outcome<Plan> draft(const Source& source, const Robot& robot, const Options& options,
-                        const std::vector<Edit>& edits = {}, const Progress& progress = {});
+    /// reproducible; times are those of the same drive planned in whole but for rounding.
+    Outcome<Draft> draft(const Source& source, const Robot& robot, const Options& options,
+                         const std::vector<Edit>& edits = {}, const Progress& progress = {});
 
   private:
     Outcome<Plan> plan_or_draft(const Source& source, const Robot& robot, const Options& options,
-                                const std::vector<Edit>& edits, bool draft, const Progress& progress);
+                                const std::vector<Edit>& edits, std::vector<trajectory::Placed>* draft,
+                                const Progress& progress);
     struct Kept;
     std::unique_ptr<Kept> kept_;
 };

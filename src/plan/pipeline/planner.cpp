@@ -83,16 +83,26 @@ Planner& Planner::operator=(Planner&&) noexcept = default;
 
 Outcome<Plan> Planner::plan(const Source& source, const Robot& robot, const Options& options,
                             const std::vector<Edit>& edits, const Progress& progress) {
-    return plan_or_draft(source, robot, options, edits, false, progress);
+    return plan_or_draft(source, robot, options, edits, nullptr, progress);
 }
 
-Outcome<Plan> Planner::draft(const Source& source, const Robot& robot, const Options& options,
-                             const std::vector<Edit>& edits, const Progress& progress) {
-    return plan_or_draft(source, robot, options, edits, true, progress);
+Outcome<Draft> Planner::draft(const Source& source, const Robot& robot, const Options& options,
+                              const std::vector<Edit>& edits, const Progress& progress) {
+    Draft draft;
+    auto plan = plan_or_draft(source, robot, options, edits, &draft.pieces, progress);
+    if (!plan) return tl::unexpected(plan.error());
+    draft.plan = std::move(*plan);
+    return draft;
+}
+
+Plan whole(Draft draft) {
+    if (draft.plan.samples.empty()) draft.plan.samples = trajectory::joined(draft.pieces);
+    return std::move(draft.plan);
 }
 
 Outcome<Plan> Planner::plan_or_draft(const Source& source, const Robot& robot, const Options& options,
-                                     const std::vector<Edit>& edits, bool draft, const Progress& progress) {
+                                     const std::vector<Edit>& edits, std::vector<trajectory::Placed>* draft,
+                                     const Progress& progress) {
     if (const auto fits = valid(options, robot); !fits) return tl::unexpected(fits.error());
     const auto asked = pipeline::drawing_options(options);
     if (!asked) return tl::unexpected(asked.error());
@@ -143,7 +153,8 @@ Outcome<Plan> make_plan(svg::Document document, const std::string& title, const 
     auto drawing = pipeline::drawn(read, robot, *asked, edits, progress);
     if (!drawing) return tl::unexpected(drawing.error());
     pipeline::Kept none;
-    return pipeline::planned(read, std::move(*drawing), title, robot, options, edits, none, false, progress);
+    return pipeline::planned(read, std::move(*drawing), title, robot, options, edits, none, nullptr,
+                             progress);
 }
 
 }  // namespace strandline

@@ -1,5 +1,6 @@
 #pragma once
 // The stages of a plan, each with what it needs: whoever keeps their results need not make them again.
+#include "plan/pipeline/measured.hpp"
 #include "plan/pipeline/pipeline.hpp"
 #include "plan/pipeline/strokes.hpp"
 
@@ -22,14 +23,16 @@ Outcome<Drawing> drawn(const Read& read, const Robot& robot, const DrawingOption
 struct Kept {
     KeptStrokes strokes;
     order::Memory order;
+    trajectory::Pieces pieces;
+    MeasuredPieces measured;
     Robot robot;      ///< that of `order`
     Options options;  ///< ... but for the budget of the search
 };
-/// All that comes after the drawing. A draft: by the row that was driven last, as far as it can be mended;
-/// else by a short search.
+/// All that comes after the drawing. `draft`, if there is one: by the row that was driven last, as far as it
+/// can be mended; else by a short search. Its pieces become those of the drive.
 Outcome<Plan> planned(const Read& read, Drawing drawing, const std::string& title, const Robot& robot,
-                      const Options& options, const std::vector<Edit>& edits, Kept& kept, bool draft,
-                      const Progress& progress);
+                      const Options& options, const std::vector<Edit>& edits, Kept& kept,
+                      std::vector<trajectory::Placed>* draft, const Progress& progress);
 
 /// Only the search may be cut short: a drawing read by half would be planned as if it were whole.
 Progress patient(Progress progress);

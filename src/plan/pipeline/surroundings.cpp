@@ -32,13 +32,36 @@ std::vector<Pose> exits_of(const Drawing& drawing, double reach) {
 std::vector<Pose> allowed(const std::vector<Pose>& exits, const DriveArea& area, const Robot& robot) {
     std::vector<Pose> fit;
     for (const Pose& exit : exits)
-        if (stays_within(robot, exit.at, exit.heading, area.border) &&
+        if (strandline::stays_within(robot, exit.at, exit.heading, area.border) &&
             std::ranges::all_of(area.keep_out, [&](const Region& keep_out) {
                 return keeps_off(robot, exit.at, exit.heading, keep_out);
             }))
             fit.push_back(exit);
     return fit.empty() ? exits : fit;
 }
+
+/// Where the footprint may be.
+class Standing {
+  public:
+    Standing(const DriveArea& area, const Robot& robot) : area_(area), robot_(robot) {
+        for (const Region& region : area.keep_out)
+            near_.push_back(grown(bounds(region), footprint_reach(robot)));
+    }
+    bool in_keep_out(const Pose& pose) const {
+        for (std::size_t k = 0; k < near_.size(); ++k)
+            if (contains(near_[k], pose.at) && !keeps_off(robot_, pose.at, pose.heading, area_.keep_out[k]))
+                return true;
+        return false;
+    }
+    bool over_border(const Pose& pose) const {
+        return !strandline::stays_within(robot_, pose.at, pose.heading, area_.border);
+    }
+
+  private:
+    const DriveArea& area_;
+    const Robot& robot_;
+    std::vector<Box> near_;
+};
 
 /// Samples of one stroke, or of the drive between two, that are where they must not be.
 struct Trespass {
@@ -62,9 +85,7 @@ std::string name_of(const Plan& plan, const Trespass& found) {
 
 std::vector<Trespass> trespasses(const Plan& plan) {
     const DriveArea area = drive_area_of(plan);
-    const double reach = footprint_reach(plan.robot);
-    std::vector<Box> near;
-    for (const Region& region : area.keep_out) near.push_back(grown(bounds(region), reach));
+    const Standing standing(area, plan.robot);
     // by sample: the next stroke to be drawn
     const std::vector<Sample>& samples = plan.samples;
     std::vector<int> next(samples.size(), -1);
@@ -75,11 +96,8 @@ std::vector<Trespass> trespasses(const Plan& plan) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const Sample& s = samples[i];
         if (s.stroke >= 0) before = s.stroke;
-        bool in_keep_out = false;
-        for (std::size_t k = 0; k < near.size() && !in_keep_out; ++k)
-            in_keep_out = contains(near[k], s.pose.at) &&
-                          !keeps_off(plan.robot, s.pose.at, s.pose.heading, area.keep_out[k]);
-        if (!in_keep_out && stays_within(plan.robot, s.pose.at, s.pose.heading, area.border)) continue;
+        const bool in_keep_out = standing.in_keep_out(s.pose);
+        if (!in_keep_out && !standing.over_border(s.pose)) continue;
         if (list.empty() || list.back().stroke != before || list.back().next != next[i] ||
             list.back().keep_out != in_keep_out)
             list.push_back({before, next[i], s.pose.at, 0, in_keep_out});
@@ -135,6 +153,13 @@ void add_surroundings(order::Job& job, const Drawing& drawing, const Options& op
         job.exits = {{{park.exit_x, park.exit_y}, park.exit_heading}};
     else if (park.exit == "outside")
         job.exits = allowed(exits_of(drawing, footprint_reach(robot)), area, robot);
+}
+
+bool stays_within(const std::vector<Sample>& samples, const DriveArea& area, const Robot& robot) {
+    const Standing standing(area, robot);
+    return std::ranges::none_of(samples, [&](const Sample& sample) {
+        return standing.in_keep_out(sample.pose) || standing.over_border(sample.pose);
+    });
 }
 
 void take_surroundings(Plan& plan) {

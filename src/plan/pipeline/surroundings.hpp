@@ -9,6 +9,8 @@ namespace strandline::pipeline {
 Outcome<void> valid_surroundings(const Options& options);
 /// Fills the job's field, keep_out, parked and exits.
 void add_surroundings(order::Job& job, const Drawing& drawing, const Options& options, const Robot& robot);
+/// Whether the footprint stays where it must with all of these samples.
+bool stays_within(const std::vector<Sample>& samples, const DriveArea& area, const Robot& robot);
 /// Where the footprint is in a keep-out or over the border after all, by samples: a warning for each stroke
 /// and each drive between two, and a spot among the blemishes. Lengths driven before the first stroke and
 /// after the last are taken too.

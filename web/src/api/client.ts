@@ -79,7 +79,11 @@ export const api = {
   drawing: (id: string) => get<Drawing>(`${project(id)}/plan/drawing`),
   drive: (id: string) => get<Drive>(`${project(id)}/plan/drive`),
   report: (id: string) => get<Report>(`${project(id)}/plan/report`),
-  samples: async (id: string) => (await ask(`${project(id)}/plan/samples`)).arrayBuffer(),
+  /** With their tag: what is there now may be newer than what was told of. `since`: the tag of those that are there. */
+  samples: async (id: string, since: string) => {
+    const reply = await ask(`${project(id)}/plan/samples${since && `?since=${since}`}`)
+    return { bytes: await reply.arrayBuffer(), tag: (reply.headers.get('ETag') ?? '').replaceAll('"', '') }
+  },
   connection: (id: string, plan: number, connection: number, through: [number, number, number][]) =>
     post<Schemas['Led']>(`${project(id)}/connection`, { plan, connection, through }),
   lettering: (wish: Schemas['LetteringWish']) => post<Lettered>('lettering', wish),

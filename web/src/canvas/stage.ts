@@ -110,7 +110,7 @@ export class Stage {
       if (!this.fittedOnce) this.fit()
     }
     if (now.drive !== before?.drive || now.samples !== before?.samples)
-      this.tracks = now.drive && now.samples.count > 0 ? new Tracks(now.samples, now.drive) : null
+      this.tracks = now.drive && now.samples.count > 0 ? new Tracks(now.samples, now.drive, this.tracks) : null
     if (now.drawing !== before?.drawing || now.drive !== before?.drive || now.samples !== before?.samples) this.redraw()
     if (now.report !== before?.report) this.refresh()
   }

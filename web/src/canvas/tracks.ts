@@ -1,6 +1,6 @@
 // The plan's runs as lines that can be painted: one Path2D a polyline, made when first needed and culled by its box.
 import type { Drive } from '../api/client'
-import type { Samples } from '../plan/samples'
+import type { Kept, Samples } from '../plan/samples'
 import { emptyBox, include } from './camera'
 import type { Box } from './camera'
 
@@ -141,13 +141,39 @@ export class Tracks {
   private grooves = new Map<number, (Track[] | undefined)[]>()
   private wheels: Track[] | undefined
 
+  /** `before`: the tracks of the plan before, for what is driven as it was. */
   constructor(
     readonly samples: Samples,
     readonly drive: Drive,
+    before: Tracks | null = null,
   ) {
     this.runs = drive.runs.map(([first, last, mask, stroke, draws]) => ({ first, last, mask, stroke, draws: draws === 1 }))
     this.pins = drive.robot.pins
     this.pitch = drive.robot.pin_pitch
+    if (before && samples.kept?.before === before.samples.tag && before.pitch === this.pitch && before.pins === this.pins)
+      this.takeOver(before, before.runsAmong(this.runs, samples.kept))
+  }
+
+  /** For each of these runs which of this plan's it is, moved to another place; -1: none of them. */
+  private runsAmong(runs: Run[], kept: Kept): Int32Array {
+    const same = new Int32Array(runs.length).fill(-1)
+    let range = 0
+    let mine = 0
+    runs.forEach(({ first, last, mask }, i) => {
+      while (range < kept.to.length && kept.to[range] + kept.count[range] <= last) range++
+      if (range === kept.to.length || kept.to[range] > first) return
+      const moved = kept.from[range] - kept.to[range]
+      if (this.runs[mine]?.first !== first + moved) mine = this.runAt(first + moved)
+      const run = this.runs[mine]
+      if (run.first === first + moved && run.last === last + moved && run.mask === mask) same[i] = mine++
+    })
+    return same
+  }
+  private takeOver(before: Tracks, same: Int32Array): void {
+    const moved = <T>(levels: Map<number, (T | undefined)[]>) =>
+      new Map([...levels].map(([detail, tracks]) => [detail, Array.from(same, (run) => (run < 0 ? undefined : tracks[run]))]))
+    this.middles = moved(before.middles)
+    this.grooves = moved(before.grooves)
   }
 
   /** Track of the rake's middle. */

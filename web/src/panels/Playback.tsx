@@ -14,7 +14,7 @@ function drivenAt(samples: Samples, index: number): number {
   if (measured?.samples !== samples) {
     const sums = new Float64Array(Math.max(1, samples.count))
     for (let i = 1; i < samples.count; i++)
-      sums[i] = sums[i - 1] + Math.hypot(samples.x[i] - samples.x[i - 1], samples.y[i] - samples.y[i - 1])
+      sums[i] = sums[i - 1] + Math.sqrt((samples.x[i] - samples.x[i - 1]) ** 2 + (samples.y[i] - samples.y[i - 1]) ** 2)
     measured = { samples, metres: sums }
   }
   return measured.metres[index]
