@@ -26,8 +26,9 @@ Planned made(const std::shared_ptr<Workshop>& workshop, const Options& options,
         const std::lock_guard lock(workshop->mutex);
         const Source source{workshop->bytes, workshop->title};
         const Progress bounded = cli::limited(progress, options.tour.time_limit);
-        return draft ? workshop->planner.draft(source, workshop->robot, options, edits, bounded)
-                     : workshop->planner.plan(source, workshop->robot, options, edits, bounded);
+        if (!draft) return workshop->planner.plan(source, workshop->robot, options, edits, bounded);
+        return workshop->planner.draft(source, workshop->robot, options, edits, bounded)
+            .map([](Draft&& drafted) { return whole(std::move(drafted)); });
     });
     if (!plan) throw Refused{named(plan.error(), *workshop)};
     plan->program = "strandline " STRANDLINE_VERSION;
