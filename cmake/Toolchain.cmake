@@ -13,7 +13,7 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
 endif()
 
-# Same input, same plan, bit for bit, on every machine: no fused multiply-add behind our back.
+# Same input, same plan, bit for bit, on every machine: no fused multiply-add behind our back (what libraries do: docs/install.md).
 add_compile_options(-ffp-contract=off)
 # Position-independent throughout, so that the Python module links the same rooms as the program; without interposition the code is as fast.
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)

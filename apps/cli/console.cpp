@@ -169,15 +169,4 @@ Progress limited(Progress progress, double seconds, int threads) {
     return progress;
 }
 
-Progress limited(Progress progress, double seconds) {
-    if (seconds <= 0) return progress;
-    const auto asked = progress.stopped;
-    const auto used = [begin = std::clock(), seconds] {
-        return static_cast<double>(std::clock() - begin) / (seconds * CLOCKS_PER_SEC);
-    };
-    progress.time_used = used;
-    progress.stopped = [asked, used] { return asked() || used() >= 1; };
-    return progress;
-}
-
 }  // namespace strandline::cli

@@ -25,7 +25,7 @@ Planned made(const std::shared_ptr<Workshop>& workshop, const Options& options,
     auto plan = watched(callback, [&](const Progress& progress) {
         const std::lock_guard lock(workshop->mutex);
         const Source source{workshop->bytes, workshop->title};
-        const Progress bounded = cli::limited(progress, options.tour.time_limit);
+        const Progress bounded = cli::limited(progress, options.tour.time_limit, options.tour.threads);
         if (!draft) return workshop->planner.plan(source, workshop->robot, options, edits, bounded);
         return workshop->planner.draft(source, workshop->robot, options, edits, bounded)
             .map([](Draft&& drafted) { return whole(std::move(drafted)); });

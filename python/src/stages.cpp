@@ -55,7 +55,8 @@ py::dict tour(const std::string& instance_text, const std::string& method, bool 
     const tour::Options options{
         .method = *known, .grouped = grouped, .threads = threads, .seed = seed, .moves = moves};
     const TourAnswer answer = value(watched(callback, [&](const Progress& progress) -> Outcome<TourAnswer> {
-        auto tour = tour::solve(instance.problem, options, cli::limited(progress, time_limit * threads));
+        auto tour =
+            tour::solve(instance.problem, options, cli::limited(progress, time_limit * threads, threads));
         if (!tour) return tl::unexpected(tour.error());
         TourAnswer found{std::move(*tour), {}};
         if (on_edges) found.entries = tour::entered_on_edges(instance.problem, found.tour.steps);
