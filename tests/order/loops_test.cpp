@@ -32,7 +32,7 @@ Region box(Point low, Point high) { return {{low, {high.x, low.y}, high, {low.x,
 /// Metres of the loops at which a wheel, or the turning point, is on the region.
 double looped_over(const Ordered& answer, const Robot& robot, const Region& region) {
     double sum = 0;
-    for (const Leg& leg : answer.legs) {
+    for (const Leg& leg : legs_of(answer.stretches)) {
         if (leg.motion != Motion::loop) continue;
         for (std::size_t i = 1; i < leg.path.size(); ++i) {
             const Pose& pose = leg.path[i].pose;
@@ -49,12 +49,13 @@ double looped_over(const Ordered& answer, const Robot& robot, const Region& regi
 
 void expect_one_loop_that_fits(const Ordered& answer) {
     EXPECT_EQ(answer.loops, 1);
-    for (std::size_t k = 1; k < answer.legs.size(); ++k) {
-        const Pose before = answer.legs[k - 1].path.back().pose, after = answer.legs[k].path.front().pose;
+    const std::vector<Leg> legs = legs_of(answer.stretches);
+    for (std::size_t k = 1; k < legs.size(); ++k) {
+        const Pose before = legs[k - 1].path.back().pose, after = legs[k].path.front().pose;
         EXPECT_LT(distance(before.at, after.at), 1e-6);
         EXPECT_LT(std::abs(wrap_angle(after.heading - before.heading)), 1e-6);
     }
-    for (const Leg& leg : answer.legs) {
+    for (const Leg& leg : legs) {
         if (leg.motion == Motion::loop) {
             EXPECT_LT(max_curvature(leg.curve), 2 + 1e-6);
         }
@@ -89,7 +90,7 @@ TEST(Loops, KeepOutOfKeepOuts) {
         ASSERT_TRUE(answer);
         expect_one_loop_that_fits(*answer);
         int within = 0;
-        for (const Leg& leg : answer->legs)
+        for (const Leg& leg : legs_of(answer->stretches))
             for (const RobotState& state : leg.path)
                 within += keeps_off(robot, state.pose.at, state.pose.heading, rock) ? 0 : 1;
         if (there)
@@ -133,7 +134,8 @@ TEST(Loops, KeepOffTheirOwnLineWhereThatIsWorthIt) {
         const auto answer = ordered(job, robot, options_for(robot, avoid));
         EXPECT_TRUE(answer);
         if (!answer) return 0;
-        const Curve& last = std::find_if(answer->legs.rbegin(), answer->legs.rend(), [](const Leg& leg) {
+        const std::vector<Leg> legs = legs_of(answer->stretches);
+        const Curve& last = std::find_if(legs.rbegin(), legs.rend(), [](const Leg& leg) {
                                 return leg.motion == Motion::loop;
                             })->curve;
         int count = 0;

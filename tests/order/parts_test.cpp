@@ -115,7 +115,7 @@ Group drop_group() {
 TEST(Parts, AClosedLineIsEnteredAtItsSharpCorner) {
     const Robot robot = *builtin_robot("beachbot");
     const auto loops = [](const Ordered& answer) {
-        return std::ranges::count(answer.legs, Motion::loop, &Leg::motion);
+        return std::ranges::count(legs_of(answer.stretches), Motion::loop, &Leg::motion);
     };
     // the point is on the far side
     Job job{{drop_group(), line_group(1, {-6, -1}, {-6, 1})}, {{1, 0}}, {}, Point{-6, -1}};
