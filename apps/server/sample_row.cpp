@@ -35,6 +35,9 @@ class Hash {
     std::uint64_t state_ = 14695981039346656037u;
 };
 
+/// To a hundredth of a millisecond: times of the same drive that were summed up another way are the same.
+double shown_time(double seconds) { return std::round(seconds * 1e5) / 1e5; }
+
 /// `t` and `stroke`: of the first one.
 Chunk chunk_of(std::span<const Sample> samples, double t, int stroke) {
     Chunk chunk;
@@ -43,7 +46,8 @@ Chunk chunk_of(std::span<const Sample> samples, double t, int stroke) {
     chunk.columns.resize(floats * n);
     for (std::size_t i = 0; i < n; ++i) {
         const Sample& s = samples[i];
-        const double values[floats] = {s.t - t, s.pose.at.x, s.pose.at.y, s.pose.heading, s.rake.x, s.rake.y};
+        const double values[floats] = {shown_time(s.t - t), s.pose.at.x, s.pose.at.y,
+                                       s.pose.heading,      s.rake.x,    s.rake.y};
         for (std::size_t k = 0; k < floats; ++k) chunk.columns[k * n + i] = static_cast<float>(values[k]);
         const int own = s.stroke < 0 ? -1 : s.stroke - stroke;
         chunk.mask.push_back(s.mask);

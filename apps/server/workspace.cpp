@@ -137,7 +137,8 @@ Outcome<long long> Workspace::change(long long revision, const Edited& change) {
 void Workspace::plan_anew(const State& state, long long revision) {
     planning_ = true;
     planning_thread_->want([this, state, revision](const std::atomic<bool>& stop) {
-        if (plan_and_publish(state, revision, stop, true)) plan_and_publish(state, revision, stop, false);
+        if (plan_and_publish(state, revision, stop, true) && plan_and_publish(state, revision, stop, false))
+            get_ready(state, stop);
     });
 }
 
@@ -192,6 +193,24 @@ bool Workspace::plan_and_publish(const State& state, long long revision, const s
         if (planned->before.size() > most_before) planned->before.resize(most_before);
     }
     return publish(std::move(planned), draft);
+}
+
+/// A draft of what is there already: the next one finds the pieces of this drive made, and only what its edit
+/// touches is new.
+void Workspace::get_ready(const State& state, const std::atomic<bool>& stop) {
+    Progress progress;
+    progress.report = [&stop](const std::string&, double) {
+        if (stop) throw Outdated();
+    };
+    progress.stopped = [&stop] { return stop.load(); };
+    try {
+        const auto draft = draft_or_plan(state, true, progress);
+        if (draft && !draft->pieces.empty()) rows_.row_of(draft->pieces);
+    } catch (const Outdated&) {
+        return;
+    } catch (const std::exception&) {
+        planner_ = std::make_unique<Planner>();  // the next edit is planned from nothing, and tells
+    }
 }
 
 bool Workspace::publish(std::shared_ptr<Planned> planned, bool draft) {

@@ -88,6 +88,7 @@ class Workspace {
     void plan_anew(const State& state, long long revision);
     Outcome<Draft> draft_or_plan(const State& state, bool draft, const Progress& progress);
     bool plan_and_publish(const State& state, long long revision, const std::atomic<bool>& stop, bool draft);
+    void get_ready(const State& state, const std::atomic<bool>& stop);
     bool publish(std::shared_ptr<Planned> planned, bool draft);
     void tell_standing();
 

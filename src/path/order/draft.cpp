@@ -72,6 +72,8 @@ class Drafter {
     /// Groups -> strokes in driving order, each with its rake path as driven.
     std::vector<Link> links() {
         std::vector<Link> links;
+        links.reserve(goings_.size());
+        answer_.strokes.reserve(goings_.size());
         answer_.variants.assign(job_.groups.size(), -1);
         for (std::size_t k = 0; k < goings_.size(); ++k) {
             const auto& [step, variant] = goings_[k];
