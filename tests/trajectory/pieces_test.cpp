@@ -1,6 +1,6 @@
-#include "path/trajectory/pieces.hpp"
-
 #include <gtest/gtest.h>
+
+#include "path/trajectory/trajectory.hpp"
 
 namespace strandline::trajectory {
 namespace {

@@ -11,7 +11,7 @@
 #include "math/region/region.hpp"
 #include "path/connect/connect.hpp"
 #include "path/drive/drive.hpp"
-#include "path/stroke/stretch.hpp"
+#include "path/stroke/stroke.hpp"
 #include "path/tour/tour.hpp"
 
 namespace strandline::order {

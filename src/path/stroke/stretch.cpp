@@ -1,4 +1,4 @@
-#include "path/stroke/stretch.hpp"
+#include "path/stroke/stroke.hpp"
 
 namespace strandline {
 

@@ -1,5 +1,6 @@
 #pragma once
 // The stroke: the hinge between what to draw (before it) and how to drive (after it). Values only.
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -55,5 +56,14 @@ struct Leg {
     Curve curve = {};     ///< connect and loop: the exact clothoids; else empty
     bool operator==(const Leg&) const = default;
 };
+
+/// Legs end to end: of strokes that are driven in one go, or what is driven between two. The same object
+/// means the same legs. Their strokes count from `stroke`.
+struct Stretch {
+    std::shared_ptr<const std::vector<Leg>> legs;
+    int stroke = 0;
+};
+/// All of their legs, with the strokes of the whole drive. O(states).
+std::vector<Leg> legs_of(const std::vector<Stretch>& stretches);
 
 }  // namespace strandline

@@ -1,5 +1,3 @@
-#include "path/trajectory/pieces.hpp"
-
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -7,6 +5,7 @@
 
 #include "path/trajectory/speeds.hpp"
 #include "path/trajectory/timer.hpp"
+#include "path/trajectory/trajectory.hpp"
 
 namespace strandline::trajectory {
 

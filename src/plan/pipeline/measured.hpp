@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "path/trajectory/pieces.hpp"
+#include "path/trajectory/trajectory.hpp"
 #include "plan/model/model.hpp"
 
 namespace strandline::pipeline {

@@ -9,7 +9,7 @@
 #include "base/outcome/outcome.hpp"
 #include "input/svg/svg.hpp"
 #include "input/trace/trace.hpp"
-#include "path/trajectory/pieces.hpp"
+#include "path/trajectory/trajectory.hpp"
 #include "plan/model/model.hpp"
 
 namespace strandline {
