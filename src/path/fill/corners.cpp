@@ -2,6 +2,7 @@
 #include "path/fill/corners.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace strandline::fill {
@@ -77,18 +78,27 @@ std::vector<Polyline> with_cut_corners(const Polyline& whole, bool closed, bool 
     const std::size_t n = line.size();
     std::optional<Corner> seam;
     if (closed && n > 3) seam = cut_corner(line[n - 2], line[0], line[1], border, options);
-    Polyline pass{seam ? line[0] + seam->ahead * normalized(line[1] - line[0]) : line[0]};
+    // Between two corners that are cut; what is shorter than `ahead` the pass before rakes.
+    const auto add = [&](std::size_t from, double ahead, std::size_t to, double onward) {
+        Polyline pass(line.begin() + static_cast<std::ptrdiff_t>(from),
+                      line.begin() + static_cast<std::ptrdiff_t>(to) + 1);
+        const double whole_length = length(pass);
+        if (ahead >= whole_length) return;
+        if (ahead > 0) pass = slice(pass, ahead, whole_length);
+        pass.back() = line[to] + onward * normalized(line[to] - line[to - 1]);
+        passes.push_back(std::move(pass));
+    };
+    std::size_t from = 0;
+    double ahead = seam ? seam->ahead : 0;
     for (std::size_t i = 1; i + 1 < n; ++i) {
         const auto cut = cut_corner(line[i - 1], line[i], line[i + 1], border, options);
-        if (!cut) {
-            pass.push_back(line[i]);
-            continue;
-        }
-        pass.push_back(line[i] + cut->onward * normalized(line[i] - line[i - 1]));
-        passes.push_back(std::exchange(pass, {line[i] + cut->ahead * normalized(line[i + 1] - line[i])}));
+        if (!cut) continue;
+        add(from, ahead, i, cut->onward);
+        from = i;
+        ahead = cut->ahead;
     }
-    pass.push_back(seam ? line[n - 1] + seam->onward * normalized(line[n - 1] - line[n - 2]) : line[n - 1]);
-    passes.push_back(std::move(pass));
+    add(from, ahead, n - 1, seam ? seam->onward : 0);
+    if (passes.empty()) return {whole};
     return passes;
 }
 
