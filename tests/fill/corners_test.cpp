@@ -9,7 +9,7 @@ namespace strandline::fill {
 namespace {
 
 constexpr double w = 0.42;
-const Options looping{.width = w, .masked = true, .tips = Tips::all};
+const Options looping{.width = w, .tips = Tips::all, .masked = true};
 
 /// East for 3 m, a corner to the left, then an arc of short chords.
 Polyline into_an_arc(double turn, double chord) {
