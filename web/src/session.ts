@@ -181,17 +181,23 @@ function move(where: 'undo' | 'redo'): Promise<unknown> {
 export const undo = () => move('undo')
 export const redo = () => move('redo')
 
+/** A file without bytes would be taken for bare sand. */
+function full(file: File): File {
+  if (file.size === 0) throw new Error(`${file.name} is empty: choose another file`)
+  return file
+}
+
 /** A drawing takes the place of this project's when that is bare; else it becomes a project of its own. */
 export function openFile(file: File): Promise<unknown> {
   return inTurn(async () => {
-    const made = await api.create(file.name, file)
+    const made = await api.create(file.name, full(file))
     await openProject(made.id)
   })
 }
 export function replaceDrawing(file: File): Promise<unknown> {
   return inTurn(async () => {
     const { standing } = session.now
-    await api.source(standing!.id, standing!.revision, file.name, file)
+    await api.source(standing!.id, standing!.revision, file.name, full(file))
     await refreshStanding(standing!.id)
   })
 }

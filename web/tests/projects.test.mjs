@@ -146,6 +146,11 @@ test('what is no drawing is refused in words', async () => {
   await page.click('text=Project')
   await page.setInputFiles('input[type=file] >> nth=0', wrong)
   await page.locator('.hint.notice').filter({ hasText: 'neither SVG nor PNG' }).waitFor()
+  const empty = join(folder.path, 'empty.png')
+  writeFileSync(empty, '')
+  await page.click('text=Project')
+  await page.setInputFiles('input[type=file] >> nth=0', empty)
+  await page.locator('.hint.notice').filter({ hasText: 'empty.png is empty' }).waitFor()
   assert.equal((await standing(page)).id, 'drawing')
 })
 

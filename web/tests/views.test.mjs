@@ -130,6 +130,7 @@ test('every setting of the API stands in the panel, with help; one can be set an
   const keys = await page.evaluate(() => window.strandline.session.now.about.settings.map((s) => s.key))
   const fields = await page.evaluate(() => window.strandline.session.now.about.robot_fields.map((f) => `robot.${f.name}`))
   for (const key of [...keys, ...fields]) assert.equal(await page.locator(`[id="set-${key}"]`).count(), 1, key)
+  for (const group of new Set(keys.map((key) => key.split('.')[0]))) assert.equal(await page.getByText(group, { exact: true }).count(), 0, group)
   await picture('settings')
   const width = page.locator('[id="set-canvas.width"]')
   let now = await edited(page, async () => {
@@ -155,6 +156,7 @@ test('a value that cannot be is refused in words, and nothing changes', async ()
   await width.press('Enter')
   await page.locator('.hint.notice').filter({ hasText: 'canvas.width' }).waitFor()
   assert.equal((await standing(page)).revision, revision)
+  await page.waitForFunction(() => document.getElementById('set-canvas.width').value !== 'blue')
 })
 
 test('keep-outs are shown; with a drive in and out the shape tool still finds its connections', async () => {

@@ -20,6 +20,11 @@ const names: Record<string, string> = {
   field: 'Field and keep-outs',
   park: 'Parking and exit',
   trajectory: 'Trajectory',
+  site: 'Place on earth',
+  gcode: 'G-code',
+  mission: 'Missions (ArduPilot, QGroundControl)',
+  nav: 'ROS 2 paths',
+  thr: 'Sand tables (.thr)',
 }
 const firstOpen = new Set(['canvas', 'place'])
 
@@ -62,14 +67,18 @@ function Field({ field }: { field: FieldShape }) {
   const send = (value: string) => {
     const text = value.trim()
     // A bare number of degrees; whoever writes a unit means it.
-    void setOption(field.key, field.kind === 'angle' && /^[-+.\de]+$/i.test(text) ? `${text}deg` : text)
+    return setOption(field.key, field.kind === 'angle' && /^[-+.\de]+$/i.test(text) ? `${text}deg` : text)
+  }
+  /** What is refused does not stand there as if it held. */
+  const sendText = async (input: HTMLInputElement) => {
+    if (!(await send(input.value))) input.value = shown(field)
   }
   let control
   if (field.kind === 'on or off' || field.unit === 'true/false')
-    control = <input id={id} type="checkbox" checked={['on', 'true', '1'].includes(field.value)} onChange={(e) => send(e.currentTarget.checked ? 'on' : 'off')} />
+    control = <input id={id} type="checkbox" checked={['on', 'true', '1'].includes(field.value)} onChange={(e) => void send(e.currentTarget.checked ? 'on' : 'off')} />
   else if (field.choices)
     control = (
-      <select id={id} value={field.value} onChange={(e) => send(e.currentTarget.value)}>
+      <select id={id} value={field.value} onChange={(e) => void send(e.currentTarget.value)}>
         {field.choices.map((choice) => (
           <option value={choice}>{choice}</option>
         ))}
@@ -84,7 +93,7 @@ function Field({ field }: { field: FieldShape }) {
           inputMode={field.kind === 'text' ? 'text' : 'decimal'}
           value={shown(field)}
           aria-describedby={`${id}-help`}
-          onChange={(e) => send(e.currentTarget.value)}
+          onChange={(e) => void sendText(e.currentTarget)}
         />
         <span class="unit">{unit}</span>
       </span>
