@@ -65,6 +65,26 @@ TEST(Wpl, TheRakeMovesBehindTheWaypointAtWhichItMoves) {
     EXPECT_EQ(items.back().parameters[1], 1100);
 }
 
+TEST(Wpl, ARobotThatBacksUpIsToldSoWhereItDoes) {
+    Plan plan = beach_plan();
+    const auto before = read_wpl(text_of(exports::wpl(plan)));
+    const auto reverses = [](const auto& items) {
+        std::vector<double> told;
+        for (const auto& item : items)
+            if (item.command == 194) told.push_back(item.parameters[0]);
+        return told;
+    };
+    EXPECT_TRUE(reverses(before).empty());
+    // the whole drive in reverse: the readers look at places only
+    for (Sample& sample : plan.samples) sample.speed = -sample.speed;
+    const auto told = reverses(read_wpl(text_of(exports::wpl(plan))));
+    ASSERT_GE(told.size(), 2u);
+    for (std::size_t k = 0; k < told.size(); ++k) EXPECT_EQ(told[k], k % 2 == 0 ? 1 : 0);
+    EXPECT_EQ(told.back(), 0);
+    const auto path = exports::nav_path(plan);
+    EXPECT_TRUE(warns_of(path, "allow_reversing"));
+}
+
 TEST(Wpl, ASlowerRakeIsASpeedOfItsOwn) {
     Plan plan = beach_plan();
     plan.robot.travel_speed = 0.5;

@@ -62,6 +62,29 @@ void expect_one_loop_that_fits(const Ordered& answer) {
     }
 }
 
+TEST(Loops, AtAGapThatIsJoinedDirectlyBelongToTheStrokeBehindIt) {
+    const Robot robot = *builtin_robot("beachbot");
+    // Up to 2 cm apart, with a bend of 85 degrees at either end of the gap: more than the rake can follow.
+    const double bend = 85 * pi / 180, gap = 0.02;
+    const Point on = Point{3, 0} + gap * unit(bend);
+    const Job job{{{.work = {0, {stroke_along(0, {{0, 0}, {3, 0}})}}, .name = "first"},
+                   {.work = {1, {stroke_along(1, {on, on + 3 * unit(2 * bend)})}}, .name = "second"}},
+                  {{0, 1}},
+                  {},
+                  {}};
+    Options options = options_for(robot, true);
+    options.min_gap = 2 * gap;
+    const auto answer = ordered(job, robot, options);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->direct, 1);
+    EXPECT_GT(answer->loops, 0);
+    for (const Leg& leg : legs_of(answer->stretches)) {
+        if (leg.motion == Motion::loop) {
+            EXPECT_EQ(leg.stroke, 1);
+        }
+    }
+}
+
 TEST(Loops, GoRoundFinishedAreas) {
     const Robot robot = *builtin_robot("beachbot");
     const Region area = box({2, -2.5}, {4, -0.8});

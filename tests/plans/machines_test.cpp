@@ -40,6 +40,34 @@ TEST(Machines, AToolThatCannotBeLiftedIsDownAllTheWayAndTheMarksAreTold) {
     EXPECT_FALSE(check::prove(lifted).sound());
 }
 
+TEST(Machines, ARobotThatBacksUpComesSoonerAndIsNotMistakenForOneThatDoesNot) {
+    constexpr const char* hatching =
+        R"(<svg xmlns="http://www.w3.org/2000/svg" width="14000mm" height="14000mm" viewBox="0 0 14 14">
+  <path d="M5 4 V10 M5.3 10 V4 M5.6 4 V10 M5.9 10 V4" stroke="black" stroke-width="0.1" fill="none"/></svg>)";
+    Robot robot = *builtin_robot("beachbot");
+    Options options;
+    ASSERT_TRUE(set(options, "place.mode", "actual"));
+    const auto forward = make_plan({hatching, "lines.svg"}, robot, options, {});
+    robot.can_back_up = true;
+    const auto plan = make_plan({hatching, "lines.svg"}, robot, options, {});
+    ASSERT_TRUE(forward && plan);
+    EXPECT_LT(plan->samples.back().t, forward->samples.back().t);
+    int backing = 0;
+    for (std::size_t i = 0; i + 1 < plan->samples.size(); ++i) {
+        const Sample &a = plan->samples[i], &b = plan->samples[i + 1];
+        if (!backs(a, b)) continue;
+        ++backing;
+        EXPECT_EQ(a.mask, 0u) << i;
+        EXPECT_LT(dot(b.pose.at - a.pose.at, unit(a.pose.heading)), 0) << i;
+        EXPECT_NEAR(a.turn_rate, a.speed * a.curvature, 1e-9) << i;
+    }
+    EXPECT_GT(backing, 10);
+    EXPECT_TRUE(check::prove(*plan).sound());
+    Plan mistaken = *plan;
+    mistaken.robot.can_back_up = false;
+    EXPECT_FALSE(check::prove(mistaken).sound());
+}
+
 TEST(Machines, TheSetbackIsKeptFromABorderThatWasAskedFor) {
     Robot robot = *builtin_robot("beachbot");
     const std::vector<std::pair<std::string, std::string>> border{{"field.border", "0,0 14,0 14,14 0,14"}};

@@ -19,6 +19,13 @@ Stretch turning(double x, double from, double to) {
                 std::vector<Leg>{{Motion::pivot, -1, {{0, {{x, 0}, from}, 0}, {0, {{x, 0}, to}, 0}}, {}}}),
             0};
 }
+/// Back by a metre and on again, from x.
+Stretch backing(double x) {
+    const Curve curve{{{x, 0}, 0}, {{-1, 0, 0}, {1, 0, 0}}};
+    return {std::make_shared<const std::vector<Leg>>(
+                std::vector<Leg>{{Motion::connect, -1, states_along(curve, 0.01), curve}}),
+            0};
+}
 /// A quarter, curved at once: the robot stands before it.
 Stretch bend_from(double x, int stroke) {
     const Curve curve{{{x, 0}, 0}, {{0.5, 2, 0}}};
@@ -49,6 +56,7 @@ TEST(Pieces, TogetherAreTheDriveTimedInWhole) {
                                      turning(5, 0, 2),
                                      turning(5, 2, 0),
                                      straight_on(Motion::draw, 5, 6, 1),
+                                     backing(6),
                                      bend_from(6, 2)};
     const Options options{.dwell = 0.25};
     Pieces pieces;

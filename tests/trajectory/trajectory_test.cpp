@@ -59,6 +59,45 @@ TEST(Trajectory, TheRobotStandsWhereItsCurvatureJumps) {
     EXPECT_EQ(stands, 1);
 }
 
+/// Forward 1 m, back 1 m on a bend, forward 1 m.
+Leg three_parts() {
+    const Curve curve{{{0, 0}, 0}, {{1, 0, 0}, {-1, 1, 0}, {1, 0, 0}}};
+    return {Motion::connect, -1, states_along(curve, 0.01), curve};
+}
+
+TEST(Trajectory, TheRobotStandsWhereItTurnsBackAndItsSpeedSaysWhichWay) {
+    const Robot robot = *builtin_robot("beachbot");
+    const auto samples = timed({three_parts()}, {}, robot, {.step = 0.02, .dwell = 0.25});
+    double forward = 0, back = 0;
+    int dwells = 0;
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+        const Sample &a = samples[i], &b = samples[i + 1];
+        const double moved = distance(a.pose.at, b.pose.at), ahead = dot(b.pose.at - a.pose.at, unit(a.pose.heading));
+        (backs(a, b) ? back : forward) += moved;
+        if (moved == 0) {
+            ++dwells;
+            EXPECT_NEAR(b.t - a.t, 0.25, 1e-12);
+        } else {
+            EXPECT_EQ(ahead < 0, backs(a, b)) << i;
+        }
+        EXPECT_LE(std::abs(b.speed - a.speed), robot.acceleration * (b.t - a.t) * 1.001 + 1e-9) << i;
+        EXPECT_NEAR(a.turn_rate, a.speed * a.curvature, 1e-12) << i;
+    }
+    EXPECT_EQ(dwells, 2);
+    EXPECT_NEAR(forward, 2, 1e-9);
+    EXPECT_NEAR(back, 1, 1e-3);
+}
+
+TEST(Trajectory, TimedAnewItBacksUpWhereItDid) {
+    const Robot robot = *builtin_robot("beachbot");
+    const auto samples = timed({three_parts()}, {}, robot), again = retimed(samples, robot);
+    ASSERT_EQ(again.size(), samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        EXPECT_NEAR(again[i].t, samples[i].t, 1e-3) << i;
+        EXPECT_NEAR(again[i].speed, samples[i].speed, 1e-4) << i;
+    }
+}
+
 TEST(Trajectory, ATurnOnTheSpotTakesItsTime) {
     const Robot robot = *builtin_robot("beachbot");
     const Leg turn{Motion::pivot, -1, {{0, {{1, 1}, 0}, 0}, {0, {{1, 1}, pi}, 0}}, {}};

@@ -21,8 +21,8 @@ struct RobotState {
     bool operator==(const RobotState&) const = default;
 };
 /// States in order, s not decreasing. Between two states curvature is taken as linear in s. Two states with
-/// the same s are a jump: of curvature (same pose), so that the robot stops there; of heading too where it
-/// turns on the spot. Headings are not wrapped: neighbours differ by the angle really turned.
+/// the same s are a jump: of curvature or of sense (same pose), so that the robot stops there; of heading too
+/// where it turns on the spot. Between states that lie behind each other's noses it backs up. Headings are not wrapped: neighbours differ by the angle really turned.
 using RobotPath = std::vector<RobotState>;
 
 Point rake_at(const Robot& robot, Pose robot_pose);
@@ -85,7 +85,7 @@ struct Sample {
     double t = 0;                     ///< s from the start
     Pose pose;                        ///< of P
     double curvature = 0;             ///< of P's path, signed
-    double speed = 0;                 ///< m/s, >= 0
+    double speed = 0;                 ///< m/s; below 0: backing up
     double turn_rate = 0;             ///< rad/s
     Point rake;                       ///< Q
     unsigned mask = 0;                ///< pins down from this sample to the next
@@ -94,5 +94,7 @@ struct Sample {
     bool operator==(const Sample&) const = default;
 };
 const char* name_of(Motion motion);
+/// Whether the robot backs up from one sample to the next.
+bool backs(const Sample& from, const Sample& to);
 
 }  // namespace strandline

@@ -1,5 +1,6 @@
 // Reading robot paths: states between states, rake and pins.
 #include <algorithm>
+#include <cmath>
 
 #include "machine/follow/follow.hpp"
 
@@ -35,32 +36,38 @@ RobotState state_at(const RobotPath& path, double s) {
     if (after == path.end()) return path.back();
     const RobotState &a = *(after - 1), &b = *after;
     const double h = b.s - a.s, t = (s - a.s) / h;
+    const bool back = dot(b.pose.at - a.pose.at, unit((a.pose.heading + b.pose.heading) / 2)) < 0;
+    const double way = back ? -h : h;
     return {s,
-            {hermite(a.pose.at, h * unit(a.pose.heading), b.pose.at, h * unit(b.pose.heading), t),
-             hermite(a.pose.heading, h * a.curvature, b.pose.heading, h * b.curvature, t)},
+            {hermite(a.pose.at, way * unit(a.pose.heading), b.pose.at, way * unit(b.pose.heading), t),
+             hermite(a.pose.heading, way * a.curvature, b.pose.heading, way * b.curvature, t)},
             a.curvature + t * (b.curvature - a.curvature)};
 }
 
 RobotPath states_along(const Curve& curve, double step) {
     RobotPath path;
     double s = 0;
+    bool back = false;
     Pose at = curve.start;
     for (const Clothoid& piece : curve.pieces) {
-        if (piece.length <= 0) continue;
-        const double steps = std::max(1.0, std::ceil(piece.length / step - 1e-9));
-        // the joint is there already, unless curvature jumps
-        const bool jump = !path.empty() && path.back().curvature != piece.curvature;
+        if (piece.length == 0) continue;
+        const double far = std::abs(piece.length), steps = std::max(1.0, std::ceil(far / step - 1e-9));
+        // the joint is there already, unless curvature jumps or the robot turns back
+        const bool jump = !path.empty() && (path.back().curvature != piece.curvature || backs(piece) != back);
+        back = backs(piece);
         for (double i = path.empty() || jump ? 0 : 1; i <= steps; ++i) {
             const double local = i / steps * piece.length;
             path.push_back(
-                {s + local, advanced(at, piece, local), piece.curvature + piece.sharpness * local});
+                {s + std::abs(local), advanced(at, piece, local), piece.curvature + piece.sharpness * local});
         }
         at = advanced(at, piece, piece.length);
-        s += piece.length;
+        s += far;
     }
     if (path.empty()) path.push_back({0, curve.start, 0});
     return path;
 }
+
+bool backs(const Sample& from, const Sample& to) { return from.speed + to.speed < 0; }
 
 const char* name_of(Motion motion) {
     switch (motion) {

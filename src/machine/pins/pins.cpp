@@ -46,7 +46,7 @@ std::vector<Sample> shifted(const Robot& robot, const std::vector<Sample>& sampl
 Sample between(const Robot& robot, const Sample& a, const Sample& b, double t) {
     const double u = b.t > a.t ? std::clamp((t - a.t) / (b.t - a.t), 0.0, 1.0) : 0;
     const bool turns = a.motion == Motion::pivot;
-    const double v0 = turns ? std::abs(a.turn_rate) : a.speed, v1 = turns ? std::abs(b.turn_rate) : b.speed;
+    const double v0 = std::abs(turns ? a.turn_rate : a.speed), v1 = std::abs(turns ? b.turn_rate : b.speed);
     const double share = v0 + v1 > 0 ? (v0 + (v1 - v0) * u / 2) * u * 2 / (v0 + v1) : u;
     const double chord = distance(a.pose.at, b.pose.at);
     const double turn = wrap_angle(b.pose.heading - a.pose.heading);
@@ -59,7 +59,7 @@ Sample between(const Robot& robot, const Sample& a, const Sample& b, double t) {
         const RobotPath piece{{0, a.pose, a.curvature},
                               {chord, {b.pose.at, a.pose.heading + turn}, b.curvature}};
         sample.pose = state_at(piece, chord * share).pose;
-        sample.speed = v0 + (v1 - v0) * u;
+        sample.speed = a.speed + (b.speed - a.speed) * u;
         sample.curvature = a.curvature + (b.curvature - a.curvature) * share;
         sample.turn_rate = sample.speed * sample.curvature;
     }

@@ -56,6 +56,7 @@ const std::vector<Field>& fields() {
         {{"sharpness", "1/m^2", "largest change of curvature per metre, rake up", 1e-4, 1e9},
          &Robot::sharpness},
         {{"can_pivot", flag_unit, "may turn on the spot", 0, 1}, &Robot::can_pivot},
+        {{"can_back_up", flag_unit, "may drive backwards, rake up", 0, 1}, &Robot::can_back_up},
         {{"speed", "m/s", "rake down", 1e-4, 50}, &Robot::speed},
         {{"travel_speed", "m/s", "rake up", 1e-4, 50}, &Robot::travel_speed},
         {{"acceleration", "m/s^2", "speeding up and braking", 1e-4, 1e3}, &Robot::acceleration},

@@ -36,6 +36,7 @@ struct Robot {
     double left_radius = 0, right_radius = 0;  ///< the same of turns to one side, where larger; 0: min_radius
     double sharpness = 10;                     ///< sigma: largest |d curvature / d s| rake up, 1/m^2
     bool can_pivot = false;                    ///< may turn on the spot
+    bool can_back_up = false;                  ///< may drive backwards, rake up
     double speed = 0.2;                        ///< rake down, m/s
     double travel_speed = 0.2;                 ///< rake up, m/s
     double acceleration = 0.1;                 ///< m/s^2

@@ -48,12 +48,14 @@ void for_pieces(const Curve& curve, Visit visit) {
     for (const Clothoid& piece : curve.pieces) {
         visit(pose, s, piece);
         pose = advanced(pose, piece, piece.length);
-        s += piece.length;
+        s += std::abs(piece.length);
     }
 }
 
+/// `local`: metres driven within the piece.
 CurvePoint state(Pose start, double s0, const Clothoid& piece, double local) {
-    return {s0 + local, advanced(start, piece, local), piece.curvature + piece.sharpness * local};
+    const double along = std::copysign(local, piece.length);
+    return {s0 + local, advanced(start, piece, along), piece.curvature + piece.sharpness * along};
 }
 
 }  // namespace
@@ -91,7 +93,7 @@ Pose end_pose(const Curve& curve) {
 
 double length(const Curve& curve) {
     double sum = 0;
-    for (const Clothoid& piece : curve.pieces) sum += piece.length;
+    for (const Clothoid& piece : curve.pieces) sum += std::abs(piece.length);
     return sum;
 }
 
@@ -111,14 +113,16 @@ double max_curvature(const Curve& curve) {
 double max_sharpness(const Curve& curve) {
     double most = 0;
     for (const Clothoid& piece : curve.pieces)
-        if (piece.length > 0) most = std::max(most, std::abs(piece.sharpness));
+        if (piece.length != 0) most = std::max(most, std::abs(piece.sharpness));
     return most;
 }
 
 double max_curvature_jump(const Curve& curve) {
     double most = 0;
-    for (std::size_t i = 1; i < curve.pieces.size(); ++i)
-        most = std::max(most, std::abs(curve.pieces[i].curvature - curve.pieces[i - 1].end_curvature()));
+    for (std::size_t i = 1; i < curve.pieces.size(); ++i) {
+        const Clothoid &a = curve.pieces[i - 1], &b = curve.pieces[i];
+        if (backs(a) == backs(b)) most = std::max(most, std::abs(b.curvature - a.end_curvature()));
+    }
     return most;
 }
 
@@ -127,10 +131,11 @@ CurvePoint point_at(const Curve& curve, double s) {
     double s0 = 0;
     for (std::size_t i = 0; i < curve.pieces.size(); ++i) {
         const Clothoid& piece = curve.pieces[i];
-        if (s - s0 <= piece.length || i + 1 == curve.pieces.size())
-            return state(pose, s0, piece, std::clamp(s - s0, 0.0, piece.length));
+        const double far = std::abs(piece.length);
+        if (s - s0 <= far || i + 1 == curve.pieces.size())
+            return state(pose, s0, piece, std::clamp(s - s0, 0.0, far));
         pose = advanced(pose, piece, piece.length);
-        s0 += piece.length;
+        s0 += far;
     }
     return {0, curve.start, 0};
 }
@@ -143,7 +148,7 @@ std::vector<CurvePoint> sampled(const Curve& curve, double step, int least) {
     points.reserve(static_cast<std::size_t>(steps) + 1);
     double next = 0, k = 0;
     for_pieces(curve, [&](Pose pose, double s0, const Clothoid& piece) {
-        for (; k < steps && next <= s0 + piece.length; next = ++k / steps * whole)
+        for (; k < steps && next <= s0 + std::abs(piece.length); next = ++k / steps * whole)
             points.push_back(state(pose, s0, piece, next - s0));
     });
     Clothoid last = curve.pieces.back();
@@ -166,11 +171,13 @@ Curve slice(const Curve& curve, double from, double to) {
     Curve part{curve.start, {}};
     bool started = false;
     for_pieces(curve, [&](Pose pose, double s0, const Clothoid& piece) {
-        const double a = std::max(0.0, from - s0), b = std::min(piece.length, to - s0);
-        if (a > piece.length || b < a || (started && b == a)) return;
-        if (!started || part.pieces.empty()) part.start = advanced(pose, piece, a);
+        const double far = std::abs(piece.length), a = std::max(0.0, from - s0), b = std::min(far, to - s0);
+        if (a > far || b < a || (started && b == a)) return;
+        const CurvePoint first = state(pose, s0, piece, a);
+        if (!started || part.pieces.empty()) part.start = first.pose;
         started = true;
-        if (b > a) part.pieces.push_back({b - a, piece.curvature + piece.sharpness * a, piece.sharpness});
+        if (b > a)
+            part.pieces.push_back({std::copysign(b - a, piece.length), first.curvature, piece.sharpness});
     });
     if (!started) part.start = from <= 0 ? curve.start : end_pose(curve);
     return part;
@@ -183,5 +190,26 @@ Curve joined(Curve first, const Curve& second) {
 }
 
 Curve straight(Pose start, double length) { return {start, {{length, 0, 0}}}; }
+
+bool backs(const Clothoid& piece) { return piece.length < 0; }
+
+int stands(const Curve& curve) {
+    int count = 0;
+    bool back = false;  // before the curve, and after it, the robot drives forward
+    for (const Clothoid& piece : curve.pieces) {
+        if (backs(piece) != back) ++count;
+        back = backs(piece);
+    }
+    return count + (back ? 1 : 0);
+}
+
+std::vector<Curve> sections(const Curve& curve) {
+    std::vector<Curve> found;
+    for_pieces(curve, [&](Pose pose, double, const Clothoid& piece) {
+        if (found.empty() || backs(found.back().pieces.back()) != backs(piece)) found.push_back({pose, {}});
+        found.back().pieces.push_back(piece);
+    });
+    return found;
+}
 
 }  // namespace strandline

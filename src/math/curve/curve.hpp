@@ -1,7 +1,9 @@
 #pragma once
 // Exact paths (lines, elliptic arcs, cubic Beziers) as drawings hold them, and clothoid curves as robots
-// drive them; fitting the first by the second; Dubins and continuous-curvature curves between poses. Metres,
+// drive them; fitting the first by the second; Dubins and continuous-curvature curves between poses, with and
+// without backing up. Metres,
 // radians, counter-clockwise; curvature in 1/m, positive to the left; sharpness = d curvature / d s in 1/m^2.
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -71,8 +73,9 @@ struct Pose {
     bool operator==(const Pose&) const = default;
 };
 
-/// Curvature runs linearly from `curvature` with slope `sharpness` over `length` >= 0. Lines and circular
-/// arcs are clothoids with sharpness 0.
+/// Curvature runs linearly from `curvature` with slope `sharpness` over `length`. Lines and circular
+/// arcs are clothoids with sharpness 0. A length below 0 is driven backwards: heading and curvature stay
+/// those of the robot's body (to the left of its nose), s runs down from 0.
 struct Clothoid {
     double length = 0, curvature = 0, sharpness = 0;
     double end_curvature() const { return curvature + sharpness * length; }
@@ -80,7 +83,8 @@ struct Clothoid {
 };
 
 /// Clothoids end to end: position and heading are continuous by construction; curvature is where the pieces
-/// agree.
+/// agree. Where the sense changes (a cusp) the robot stands. Arc lengths along a curve count what is driven,
+/// forward or back.
 struct Curve {
     Pose start;
     std::vector<Clothoid> pieces;
@@ -103,7 +107,8 @@ double length(const Curve& curve);
 double length(const std::vector<Curve>& curves);
 double max_curvature(const Curve& curve);
 double max_sharpness(const Curve& curve);
-/// Largest jump of curvature between neighbouring pieces: 0 is G2. What planned curves are tested with.
+/// Largest jump of curvature between neighbouring pieces: 0 is G2. What planned curves are tested with. Where
+/// the robot stands and turns about the curvature is free.
 double max_curvature_jump(const Curve& curve);
 /// State at arc length s, clamped to the ends. O(pieces).
 CurvePoint point_at(const Curve& curve, double s);
@@ -116,6 +121,12 @@ Curve slice(const Curve& curve, double from, double to);
 /// `second` moved to the end of `first` is not checked: the caller says they meet.
 Curve joined(Curve first, const Curve& second);
 Curve straight(Pose start, double length);
+/// Whether a piece is driven backwards.
+bool backs(const Clothoid& piece);
+/// How often a robot that comes to the curve and leaves it driving forward changes its sense.
+int stands(const Curve& curve);
+/// The curve cut at its cusps: each part is driven one way. O(pieces).
+std::vector<Curve> sections(const Curve& curve);
 
 /// One clothoid from pose to pose (G1 Hermite): Bertolazzi and Frego, "G1 fitting with clothoids", Math.
 /// Meth. Appl. Sci. 2015, section 3 (Newton on one unknown from their guess). Position error below 1e-10 x
@@ -169,5 +180,17 @@ Curve continuous_curvature(const CurvatureState& from, const CurvatureState& to,
 /// (docs/curve.md). Some 300 us.
 Curve refined_continuous_curvature(const CurvatureState& from, const CurvatureState& to,
                                    const CurveLimits& limits);
+
+/// A robot that may back up, too: the cheapest curve found that does, each stand() of it counted as
+/// `stand_cost` metres. Driven forward, back, forward or back, forward, back; the first and the last of the
+/// three may be left out. Each is within the limits; where the robot stands between them, and at an end that
+/// it backs from or to, the curvature is free. nullopt: nothing cheaper than `below` was found. As Reeds and
+/// Shepp's words (Pacific J. Math. 1990) with at most two cusps, searched over the lengths of the first and
+/// the last part. Some 1 ms.
+std::optional<Curve> backing_curve(const CurvatureState& from, const CurvatureState& to,
+                                   const CurveLimits& limits, double stand_cost, double below);
+/// The same guessed with Dubins' arcs and lines for the middle part, and few lengths: curvature jumps. Some
+/// 20 us.
+std::optional<Curve> backing_guess(Pose from, Pose to, double radius, double stand_cost, double below);
 
 }  // namespace strandline

@@ -79,13 +79,17 @@ Connection connection(const CurvatureState& from, const CurvatureState& to, cons
     if (options.style == Style::straight || limits.radius <= 0 || (options.pivot && too_tight))
         return straight_with_turns(from.pose, to.pose);
     Connection curve = curved(from, to, options);
+    if (options.back_up)
+        if (auto backed = backing_curve(from, to, limits, options.stand_cost, length(curve.curve)))
+            curve = {0, 0, std::move(*backed)};
     if (!options.pivot) return curve;
     Connection turning = straight_with_turns(from.pose, to.pose);
     const auto cost = [&](double turn) {
         return turn == 0 ? 0 : options.turn_start + options.turn_cost * std::abs(turn);
     };
     const double turns = cost(turning.turn_before) + cost(turning.turn_after);
-    return length(turning.curve) + turns < length(curve.curve) ? turning : curve;
+    const double stood = options.back_up ? options.stand_cost * stands(curve.curve) : 0;
+    return length(turning.curve) + turns < length(curve.curve) + stood ? turning : curve;
 }
 
 CurveLimits limits_of(const Robot& robot) {

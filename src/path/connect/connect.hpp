@@ -22,6 +22,9 @@ struct Options {
     /// May turn on the spot at both ends: for `straight` always; for the others it serves where an end asks
     /// for a curvature above the limit, and where that is the shorter way.
     bool pivot = false;
+    /// May back up, where that is cheaper or there is no other way; `straight` never does.
+    bool back_up = false;
+    double stand_cost = 0.4;    ///< metres that stopping for it and setting off again is worth, each time
     double turn_cost = 0.5;     ///< metres that a radian on the spot is worth: it takes as long
     double turn_start = 0;      ///< metres that each turn on the spot costs besides: stopping, spinning up
     bool refined = true;        ///< bounded: search thoroughly (300 us instead of 10)
@@ -35,8 +38,9 @@ struct Connection {
     /// The style that was asked for breaks a limit here: which one. The curve is bounded.
     std::string broken = {};
 };
-/// Never fails and never breaks the limits. A limits.radius of 0 means turns on the spot. Poses at one point:
-/// a turn alone where turns are allowed. O(1): docs/connect.md has the times.
+/// Never fails and never breaks the limits, backed parts included (docs/connect.md). A limits.radius of 0
+/// means turns on the spot. Poses at one point: a turn alone where turns are allowed. O(1): docs/connect.md
+/// has the times.
 Connection connection(const CurvatureState& from, const CurvatureState& to, const Options& options);
 
 /// The same, led through poses in this order, with the curvature there chosen so that the whole is short.

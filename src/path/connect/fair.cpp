@@ -62,7 +62,7 @@ double bending(const Curve& curve) {
     double sum = 0;
     for (const Clothoid& piece : curve.pieces) {
         const double a = piece.curvature, b = piece.end_curvature();
-        sum += piece.length * (a * a + a * b + b * b) / 3;
+        sum += std::abs(piece.length) * (a * a + a * b + b * b) / 3;
     }
     return sum;
 }

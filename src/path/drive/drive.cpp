@@ -237,7 +237,7 @@ Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, con
                 std::for_each(legs.rbegin(), legs.rend(), [&](const Leg& leg) { build.push(leg); });
                 ++build.drive.pivots;
             } else {
-                Loop loop = loop_round(robot, before, build.first_state(), options.step);
+                Loop loop = loop_round(robot, before, build.first_state(), options);
                 end_delta = loop.from.delta;
                 if (loop.lead) build.push(std::move(*loop.lead));
                 build.push(std::move(loop.curve));

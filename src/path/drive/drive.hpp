@@ -17,6 +17,8 @@ struct Options {
     double corner_radius = 0.5;  ///< metres, of rounding inside (as large as the neighbouring edges allow)
     Below below = Below::exact;
     Above above = Above::loop;
+    bool back_up = false;     ///< loops may back up where that is cheaper
+    double stand_cost = 0.4;  ///< metres that stopping for it and setting off again is worth, each time
     double step = 0.01;       ///< metres between robot states, at most
     double max_delta = 1.45;  ///< rad between robot heading and rake path, at most
 };

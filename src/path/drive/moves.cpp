@@ -81,7 +81,8 @@ Leaving leaving(const Robot& robot, const Curve& edge, double delta, double step
     return out ? Leaving{out->path.back(), delta, out} : Leaving{state, delta};
 }
 
-Loop loop_round(const Robot& robot, const Curve& before, const RobotState& first, double step) {
+Loop loop_round(const Robot& robot, const Curve& before, const RobotState& first, const Options& options) {
+    const double step = options.step;
     std::vector<Leaving> ways_out;
     for (const double share : ends_tried) {
         const double delta = share == 0 ? leaving_delta(robot, before) : share * connectable(robot, share);
@@ -107,6 +108,20 @@ Loop loop_round(const Robot& robot, const Curve& before, const RobotState& first
     const RobotState to = best->lead ? best->lead->path.front() : first;
     best->curve.curve = refined_continuous_curvature({best->from.state.pose, best->from.state.curvature},
                                                      {to.pose, to.curvature}, limits);
+    if (options.back_up) {
+        // from a stand or to one any delta will do: no lead is longer than it must be
+        auto lead = lead_in(robot, first, step);
+        const RobotState behind = lead ? lead->path.front() : first;
+        const double led = lead ? length(lead->path) : 0;
+        double below = length(best->curve.curve) + (best->lead ? length(best->lead->path) : 0) - led;
+        for (const Leaving& from : ways_out) {
+            auto curve = backing_curve({from.state.pose, from.state.curvature},
+                                       {behind.pose, behind.curvature}, limits, options.stand_cost, below);
+            if (!curve) continue;
+            below = length(*curve) + options.stand_cost * stands(*curve);
+            best = Loop{from, {.motion = Motion::loop, .curve = std::move(*curve)}, lead};
+        }
+    }
     best->curve.path = states_along(best->curve.curve, step);
     return std::move(*best);
 }

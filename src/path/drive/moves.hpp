@@ -36,13 +36,14 @@ Leaving leaving(const Robot& robot, const Curve& edge, double delta, double step
 
 /// Rake up round a corner: from the end of `before` to the drawn leg that starts with `first`. The lead-in's
 /// length and the delta at the end of `before` are free, and the bounded curves between them are not
-/// continuous in either: a few are tried, the shortest whole is taken.
+/// continuous in either: a few are tried, the shortest whole is taken. Where the options let the robot back
+/// up: or the cheapest way that does.
 struct Loop {
     Leaving from;
     Leg curve;
     std::optional<Leg> lead;
 };
-Loop loop_round(const Robot& robot, const Curve& before, const RobotState& first, double step);
+Loop loop_round(const Robot& robot, const Curve& before, const RobotState& first, const Options& options);
 /// From one state to the other turning on the spot: turn, straight, turn; only one turn where both are at one
 /// place.
 std::vector<Leg> pivot(Pose from, Pose to);

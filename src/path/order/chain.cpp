@@ -12,6 +12,12 @@ struct Stretch {
     int stroke;
 };
 
+/// A corner at the start of a gap belongs to the stroke that it leads to.
+int stroke_at(const std::vector<Stretch>& stretches, std::size_t at) {
+    while (at + 1 < stretches.size() && stretches[at].stroke < 0) ++at;
+    return stretches[at].stroke;
+}
+
 /// Deals a drawn leg out to the stretches it passes. `travelled`: rake arc length at the leg's start, moved
 /// on.
 void deal_out(const Leg& leg, const std::vector<Stretch>& stretches, std::size_t& at, double& travelled,
@@ -83,7 +89,7 @@ drive::Drive drive_chain(const std::vector<Planned>& chain, const std::vector<St
             deal_out(leg, stretches, at, arc, robot, legs);
         } else {
             legs.push_back(leg);
-            if (leg.motion != Motion::lead) legs.back().stroke = stretches[at].stroke;
+            if (leg.motion != Motion::lead) legs.back().stroke = stroke_at(stretches, at);
         }
     }
     driven.legs = std::move(legs);

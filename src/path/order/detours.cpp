@@ -40,6 +40,7 @@ class Chooser {
             if (turn != 0) turned += options_.connect.turn_start + turn_cost * std::abs(turn);
         weigh(best_, turned, tried);
         if (best_.spoilt.none()) return best_;
+        back_up(tried);
         for (const Guess& guess : guesses()) {
             Driven other{{0, 0, led(guess.through)}, guess.through};
             weigh(other, 0, tried);
@@ -51,6 +52,21 @@ class Chooser {
     }
 
   private:
+    /// Where the way asked for backs up, the one that does not, and the other way round.
+    void back_up(std::vector<Passage>& tried) {
+        const connect::Options& options = options_.connect;
+        if (!options.back_up || options.style == connect::Style::straight) return;
+        Driven other;
+        if (stands(best_.joint.curve) > 0) {
+            other.joint.curve = refined_continuous_curvature(from_, to_, options.limits);
+        } else {
+            auto backed = backing_curve(from_, to_, options.limits, options.stand_cost, best_.cost);
+            if (!backed) return;
+            other.joint.curve = std::move(*backed);
+        }
+        weigh(other, 0, tried);
+        if (other.cost < best_.cost) best_ = std::move(other);
+    }
     void go_round(const route::Ground& ground, std::vector<Passage>& tried) {
         route::Way way = route::way(ground, from_, to_, {.limits = options_.connect.limits});
         Driven other{{0, 0, std::move(way.curve)}, std::move(way.through)};

@@ -142,25 +142,25 @@ Touched Marks::touched(const Curve& curve) const {
     Pose at = curve.start;
     double travelled = 0;
     for (const Clothoid& piece : curve.pieces) {
+        const double far = std::abs(piece.length);
         const double bend = std::max(std::abs(piece.curvature), std::abs(piece.end_curvature()));
         const double longest = !by_cell_.first.empty() ? areas_.cell
                                : !chords_.empty()      ? squares_.cell
                                                        : longest_chord;
-        const int parts = std::max(
-            1,
-            static_cast<int>(std::ceil(std::max(piece.length / longest, piece.length * bend / chord_turn))));
+        const int parts =
+            std::max(1, static_cast<int>(std::ceil(std::max(far / longest, far * bend / chord_turn))));
         // Arcs have equal chords, each turned against the one before by the same angle.
         const bool arc = piece.sharpness == 0;
-        const double step = piece.length / parts;
+        const double step = piece.length / parts, metres = far / parts;
         const Point turn = unit(piece.curvature * step);
         Point from = at.at, chord = arc ? advanced(at, piece, step).at - at.at : Point{};
         for (int i = 1; i <= parts; ++i) {
             const Point to = arc ? from + chord : advanced(at, piece, step * i).at;
             chord = {chord.x * turn.x - chord.y * turn.y, chord.x * turn.y + chord.y * turn.x};
             if (!chords_.empty()) cross(from, to, begin, end, travelled, found);
-            travelled += step;
+            travelled += metres;
             if (inside_ && !contains(*inside_, between(from, to, 0.5))) {
-                touched.hard += step;
+                touched.hard += metres;
             } else if (!by_cell_.first.empty()) {
                 const Point middle = areas_.in_cells(between(from, to, 0.5));
                 const long column = std::lround(middle.x), row = std::lround(middle.y);
@@ -168,9 +168,9 @@ Touched Marks::touched(const Curve& curve) const {
                     for (const int g :
                          by_cell_.of(areas_.index(static_cast<int>(column), static_cast<int>(row)))) {
                         if (g == hard_)
-                            touched.hard += step;
+                            touched.hard += metres;
                         else
-                            found.push_back({g, 0, step});
+                            found.push_back({g, 0, metres});
                     }
             }
             from = to;

@@ -15,6 +15,9 @@ constexpr double guessed_hard_detour = 3;
 /// Exits that are looked at for one candidate: the nearest.
 constexpr std::size_t most_exits = 6;
 
+/// Turns with their clothoids take more room than arcs: the three parts of a way that backs up are guessed
+/// by arcs so much wider.
+constexpr double wider = 1.06;
 /// Pairs of more candidates than this are not kept in a table.
 constexpr std::size_t most_tabled = 1500;
 
@@ -87,21 +90,28 @@ Pairs::Entry Pairs::first_look(int from, int to) const {
         return entry;
     }
     entry.shortest = dubins_length(a.end, b.start, robot_.min_radius);
-    if (options_.connect.pivot) {
-        const double d = distance(a.end.at, b.start.at);
-        const double ahead = d > 0 ? heading(b.start.at - a.end.at) : b.start.heading;
-        const auto turned = [&](double angle) {
-            return angle == 0 ? 0
-                              : options_.connect.turn_start + options_.connect.turn_cost * std::abs(angle);
-        };
-        entry.shortest = std::min(entry.shortest, d + turned(wrap_angle(ahead - a.end.heading)) +
-                                                      turned(wrap_angle(b.start.heading - ahead)));
-    }
+    if (const auto backed = backed_guess(a.end, b.start, entry.shortest))
+        entry.shortest = worth(*backed, options_);
+    if (options_.connect.pivot) entry.shortest = std::min(entry.shortest, turned_straight(a.end, b.start));
     if (options_.slow_bends <= 0 && !options_.avoid.on && !hard_.near(a.end.at, b.start.at)) {
         entry.weighed = true;
         entry.passages = {{entry.shortest}};
     }
     return entry;
+}
+
+double Pairs::turned_straight(Pose from, Pose to) const {
+    const double d = distance(from.at, to.at);
+    const double ahead = d > 0 ? heading(to.at - from.at) : to.heading;
+    const auto turned = [&](double angle) {
+        return angle == 0 ? 0 : options_.connect.turn_start + options_.connect.turn_cost * std::abs(angle);
+    };
+    return d + turned(wrap_angle(ahead - from.heading)) + turned(wrap_angle(to.heading - ahead));
+}
+
+std::optional<Curve> Pairs::backed_guess(Pose from, Pose to, double below) const {
+    if (!options_.connect.back_up) return std::nullopt;
+    return backing_guess(from, to, wider * robot_.min_radius, options_.connect.stand_cost, below);
 }
 
 Passage Pairs::passage(double length, const Curve& curve, const Rates& rates, int left) const {
@@ -124,9 +134,11 @@ const std::vector<Passage>& Pairs::passages(int from, int to) {
                b = candidates_[static_cast<std::size_t>(to)].start;
     std::vector<Curve> curves;
     const double d = distance(a.at, b.at);
-    if (options_.connect.pivot && d > 0 && found.shortest < dubins_length(a, b, robot_.min_radius))
+    if (options_.connect.pivot && d > 0 && turned_straight(a, b) <= found.shortest)
         curves.push_back(straight({a.at, heading(b.at - a.at)}, d));
-    for (Curve& word : dubins_words(a, b, robot_.min_radius)) curves.push_back(std::move(word));
+    std::vector<Curve> words = dubins_words(a, b, robot_.min_radius);
+    if (auto backed = backed_guess(a, b, length(words.front()))) curves.push_back(std::move(*backed));
+    for (Curve& word : words) curves.push_back(std::move(word));
     const auto whole = [](const Passage& p) {
         double sum = p.length;
         for (const Passage::Spoils& s : p.spoils) sum += s.cost;

@@ -2,6 +2,7 @@
 // Private to the room: what it costs to drive from one candidate to another, by what is finished before.
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -72,6 +73,10 @@ class Pairs {
     /// Where the number of the pair's entry is kept; -1: there is none yet.
     int& number(int from, int to);
     Entry first_look(int from, int to) const;
+    /// Metres of turning on the spot, driving straight and turning again.
+    double turned_straight(Pose from, Pose to) const;
+    /// The way that backs up, if that is worth less metres than `below`.
+    std::optional<Curve> backed_guess(Pose from, Pose to, double below) const;
     /// The cheapest of the words from pose to pose; with all that is spoilt, or none.
     double cheapest_word(Pose from, Pose to, bool all_finished) const;
 

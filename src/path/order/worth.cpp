@@ -15,8 +15,9 @@ double integral(double x) {
 }  // namespace
 
 double worth(const Curve& curve, const Options& options) {
-    if (options.slow_bends <= 0) return length(curve);
-    double sum = 0;
+    const double stood = options.connect.back_up ? options.connect.stand_cost * stands(curve) : 0;
+    if (options.slow_bends <= 0) return length(curve) + stood;
+    double sum = stood;
     for (const Clothoid& piece : curve.pieces) {
         const double from = options.slow_bends * piece.curvature,
                      to = options.slow_bends * piece.end_curvature();
@@ -24,7 +25,7 @@ double worth(const Curve& curve, const Options& options) {
         constexpr double same = 1e-9;
         const double mean = std::abs(to - from) < same ? std::max(1.0, std::abs(from))
                                                        : (integral(to) - integral(from)) / (to - from);
-        sum += mean * piece.length;
+        sum += mean * std::abs(piece.length);
     }
     return sum;
 }

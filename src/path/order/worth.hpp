@@ -5,7 +5,7 @@
 namespace strandline::order {
 
 /// Metres: the curve's length; where bends are slow (Options::slow_bends), what is driven at travel speed in
-/// the time that the curve takes. Never less than the length. O(pieces).
+/// the time that the curve takes; besides what stands to back up cost. Never less than the length. O(pieces).
 double worth(const Curve& curve, const Options& options);
 
 }  // namespace strandline::order

@@ -90,14 +90,15 @@ class Pieces::Timed {
             }
             for (std::size_t i = 0; i + 1 < go.part.states.size(); ++i, ++at) {
                 const double here = std::sqrt(speeds_[at]), next = std::sqrt(speeds_[at + 1]);
-                add(*go.part.leg, go.part.states[i], here);
+                add(*go.part.leg, go.part.states[i], go.part.back ? -here : here);
                 t += 2 * intervals_[at].length / (here + next);
             }
         }
         if (dwells) dwell(goes_.back());
         const Leg& last = *goes_.back().part.leg;
+        const double leaves = last.motion == Motion::pivot ? 0 : std::sqrt(speeds_.back());
         piece->end = sample_at(robot, goes_.back().part.states.back(), t, Motion::connect, -1, 0,
-                               last.motion == Motion::pivot ? 0 : std::sqrt(speeds_.back()));
+                               goes_.back().part.back ? -leaves : leaves);
         piece_ = std::move(piece);
         return piece_;
     }
@@ -112,8 +113,7 @@ class Pieces::Timed {
     };
     static Before between(const Go& last, const Go& next) {
         if (last.pivots() || next.pivots()) return Before::stands;
-        const double jump = last.part.states.back().curvature - next.part.states.front().curvature;
-        return std::abs(jump) > same_curvature ? Before::dwells : Before::moves;
+        return stands_between(last.part, next.part) ? Before::dwells : Before::moves;
     }
     /// Interval by interval: whether the robot stands at its end, and the one that it rolls on into.
     template <class See>

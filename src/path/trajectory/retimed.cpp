@@ -42,15 +42,16 @@ std::vector<Sample> retimed(std::vector<Sample> samples, const Robot& robot) {
             run.limit.push_back(a.motion == Motion::draw ? robot.speed : robot.travel_speed);
             run.curvature.push_back(b.curvature);
             ++last;
-        } while (last + 1 < samples.size() && samples[last].speed > 0 &&
+        } while (last + 1 < samples.size() && samples[last].speed != 0 &&
                  !stands(samples[last], samples[last + 1]));
         was = samples[last].t;
         const std::vector<double> speed = speeds_along(run, robot);
+        const bool back = backs(samples[first], samples[first + 1]);
         for (std::size_t k = 0; k + 1 < speed.size(); ++k) {
             Sample& sample = samples[first + k];
             sample.t = t;
-            sample.speed = speed[k];
-            sample.turn_rate = speed[k] * sample.curvature;
+            sample.speed = back ? -speed[k] : speed[k];
+            sample.turn_rate = sample.speed * sample.curvature;
             t += 2 * (run.s[k + 1] - run.s[k]) / (speed[k] + speed[k + 1]);
         }
         first = last;

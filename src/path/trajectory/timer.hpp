@@ -14,8 +14,11 @@ inline constexpr double same_curvature = 1e-6;
 struct Part {
     const Leg* leg;
     std::vector<RobotState> states;  ///< evenly spaced; s from 0
+    bool back = false;               ///< driven backwards
 };
-/// Cuts a leg where its curvature jumps. The states next to a jump carry the curvature of their own side.
+/// Whether the robot must stand, its wheels to be turned, between one part and the next.
+bool stands_between(const Part& last, const Part& next);
+/// Cuts a leg where its curvature jumps or it turns back. The states next to a jump carry the curvature of their own side.
 std::vector<Part> parts_of(const Leg& leg, double step);
 
 /// Turning on the spot takes a trapezoid of turn rate; the samples are spaced in angle. `t` becomes its end.

@@ -40,15 +40,22 @@ std::vector<RobotState> refined(const Leg& leg, double from, const std::vector<R
     return fine;
 }
 
+/// At least two: between two stands a single interval would have no speed at either end.
+int parts_in(double metres, double step) {
+    return std::max(2, static_cast<int>(std::ceil(metres / step - 1e-9)));
+}
+
+/// Along one section of a leg's curve.
+std::vector<RobotState> evenly(const Curve& section, double step) {
+    std::vector<RobotState> states;
+    for (const CurvePoint& p : sampled(section, step, parts_in(length(section), step) + 1))
+        states.push_back({p.s, p.pose, p.curvature});
+    return states;
+}
+
 std::vector<RobotState> evenly(const Leg& leg, double from, double to, double step) {
     std::vector<RobotState> states;
-    // At least two intervals: between two stands a single one would have no speed at either end.
-    const int parts = std::max(2, static_cast<int>(std::ceil((to - from) / step - 1e-9)));
-    if (!leg.curve.pieces.empty()) {
-        for (const CurvePoint& p : sampled(leg.curve, step, parts + 1))
-            states.push_back({p.s, p.pose, p.curvature});
-        return states;
-    }
+    const int parts = parts_in(to - from, step);
     for (int i = 0; i <= parts; ++i) {
         RobotState state = state_at(leg.path, from + (to - from) * i / parts);
         state.s -= from;
@@ -64,8 +71,9 @@ unsigned mask_between(const Robot& robot) { return robot.lifts ? 0 : pin_mask(ro
 
 std::vector<Part> parts_of(const Leg& leg, double step) {
     std::vector<Part> parts;
-    if (!leg.curve.pieces.empty() || leg.path.empty()) {
-        parts.push_back({&leg, evenly(leg, 0, length(leg.curve), step)});
+    if (!leg.curve.pieces.empty()) {
+        for (const Curve& section : sections(leg.curve))
+            parts.push_back({&leg, evenly(section, step), backs(section.pieces.front())});
         return parts;
     }
     std::size_t begin = 0;
@@ -106,6 +114,11 @@ void add_pivot(std::vector<Sample>& samples, const Leg& leg, const Robot& robot,
         samples.push_back(sample);
         t += 2 * part / (rate_at(i) + rate_at(i + 1));
     }
+}
+
+bool stands_between(const Part& last, const Part& next) {
+    if (last.back != next.back) return true;
+    return std::abs(last.states.back().curvature - next.states.front().curvature) > same_curvature;
 }
 
 bool turns(const Leg& leg) {
@@ -160,9 +173,7 @@ class Timer {
         }
         for (Part& part : parts_of(leg, options_.step)) {
             if (part.states.back().s <= 0) continue;
-            if (!run_.empty() && std::abs(run_.back().states.back().curvature -
-                                          part.states.front().curvature) > same_curvature)
-                dwell();
+            if (!run_.empty() && stands_between(run_.back(), part)) dwell();
             run_.push_back(std::move(part));
         }
     }
@@ -206,7 +217,8 @@ class Timer {
         std::size_t at = 0;
         for (const Part& part : run_) {
             for (std::size_t i = 0; i + 1 < part.states.size(); ++i, ++at) {
-                samples_.push_back(sample_at(part.states[i], part.leg->motion, part.leg->stroke, speed[at]));
+                samples_.push_back(sample_at(part.states[i], part.leg->motion, part.leg->stroke,
+                                             part.back ? -speed[at] : speed[at]));
                 t_ += 2 * (run.s[at + 1] - run.s[at]) / (speed[at] + speed[at + 1]);
             }
         }

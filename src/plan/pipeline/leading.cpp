@@ -18,8 +18,9 @@ double turning(const Curve& curve) {
     for (const Clothoid& piece : curve.pieces) {
         const double k0 = piece.curvature, k1 = piece.end_curvature();
         // Where the sign changes, both sides of it count.
-        sum += k0 * k1 >= 0 ? piece.length * std::abs(k0 + k1) / 2
-                            : piece.length * (k0 * k0 + k1 * k1) / (2 * std::abs(k0 - k1));
+        const double far = std::abs(piece.length);
+        sum +=
+            k0 * k1 >= 0 ? far * std::abs(k0 + k1) / 2 : far * (k0 * k0 + k1 * k1) / (2 * std::abs(k0 - k1));
     }
     return sum;
 }

@@ -73,9 +73,11 @@ order::Options pipeline::order_options(const Options& options, const Robot& robo
     o.connect.extra_length = options.connect.extra_length;
     o.connect.limits = connect::limits_of(robot);
     o.connect.pivot = robot.can_pivot;
+    o.connect.back_up = o.drive.back_up = robot.can_back_up;
     // A turn by a takes a / w + w / alpha, and the robot stops for it: v / acceleration more than driving on.
     const double v = robot.travel_speed;
     o.connect.turn_cost = v / robot.turn_rate;
+    o.connect.stand_cost = o.drive.stand_cost = v * (v / robot.acceleration + trajectory::Options{}.dwell);
     o.connect.turn_start = v * (robot.turn_rate / robot.turn_acceleration + v / robot.acceleration);
     o.min_gap = options.connect.min_length;
     // Without wheels nothing is spoilt.

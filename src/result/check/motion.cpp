@@ -87,9 +87,13 @@ class Judge {
         const bool down =
             (!last && s.motion == Motion::draw) || (before != nullptr && before->motion == Motion::draw);
         const double limit = down ? robot_.speed : robot_.travel_speed;
-        if (s.speed < 0 || s.speed > limit * (1 + share))
+        if (s.speed < 0 && (down || !robot_.can_back_up))
+            fault(Law::speed, -s.speed, s,
+                  fmt::format("backs up at {:.3f} m/s, allowed {}", -s.speed,
+                              down ? "none with the rake down" : "none: the robot cannot"));
+        if (std::abs(s.speed) > limit * (1 + share))
             fault(Law::speed, std::abs(s.speed), s,
-                  fmt::format("speed {:.3f} m/s, allowed {:.3f} m/s", s.speed, limit));
+                  fmt::format("speed {:.3f} m/s, allowed {:.3f} m/s", std::abs(s.speed), limit));
         if (std::abs(s.turn_rate) > robot_.turn_rate * (1 + share))
             fault(Law::turn_rate, std::abs(s.turn_rate), s,
                   fmt::format("turn rate {:.3f} rad/s, allowed {:.3f} rad/s", std::abs(s.turn_rate),
@@ -206,7 +210,8 @@ class Judge {
         if (ds > longest_step + 1e-4)
             fault(Law::step, ds, a,
                   fmt::format("the next sample is {:.3f} m on, allowed {:.3f} m", ds, longest_step));
-        const double said = (a.speed + b.speed) / 2 * std::max(dt, 0.0);
+        const double sense = backs(a, b) ? -1 : 1;
+        const double said = std::abs(a.speed + b.speed) / 2 * std::max(dt, 0.0);
         const double may =
             slack(b.speed - a.speed, robot_.acceleration, dt) + 1e-4 + 0.01 * std::min(ds, longest_step);
         if (ds - said > std::max(may, jump))
@@ -221,7 +226,7 @@ class Judge {
         const double bend =
             (up ? slack(dk, robot_.sharpness * (1 + share), ds) : bend_share * std::abs(dk) * ds) +
             (rest ? jump_share * std::abs(dk) * ds : 0);
-        const double direction = heading(b.pose.at - a.pose.at);
+        const double direction = heading(sense * (b.pose.at - a.pose.at));
         // Fitted curves meet within a tenth of the drawing's tolerance (docs/curve.md), the robot's path with
         // them.
         const double seam = a.motion == Motion::draw ? plan_.options.drawing.tolerance / 10 : 0;
@@ -234,7 +239,7 @@ class Judge {
                               chord_tolerance + bend + spin));
         // A pivot's samples have no curvature, so its first one does not end this interval's.
         const double end_curvature = b.motion == Motion::pivot ? a.curvature : b.curvature;
-        const double explained = (a.curvature + end_curvature) / 2 * ds;
+        const double explained = sense * (a.curvature + end_curvature) / 2 * ds;
         double off = std::abs(wrap_angle(turn - explained)),
                allowed = (up ? heading_up : heading_down) + bend + spin;
         if (b.motion == Motion::pivot) allowed += jump_share * ds * bound_slope(a, ds);
@@ -244,13 +249,14 @@ class Judge {
                   fmt::format("the heading changes by {:.4f} rad, its curvature explains {:.4f} rad, allowed "
                               "apart {:.4f} rad",
                               turn, explained, allowed));
-        if (up) rake_up(a, b, ds, turn, std::abs(dk), spin);
+        if (up) rake_up(a, b, ds, sense * turn, std::abs(dk), spin);
     }
     /// How much the curvature can have changed by the pivot at the end of an interval.
     double bound_slope(const Sample& a, double ds) const {
         return std::max(std::abs(a.curvature), robot_.sharpness * ds);
     }
 
+    /// `turn`: of the body, as seen driving forward.
     void rake_up(const Sample& a, const Sample& b, double ds, double turn, double dk, double spin) {
         if (turns_freely_) return;
         const double bound = bound_of(turn), turned = std::abs(turn);

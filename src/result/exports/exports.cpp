@@ -1,9 +1,12 @@
 // The table of formats.
 #include "result/exports/exports.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
+#include "result/exports/spans.hpp"
 #include "result/formats/formats.hpp"
 
 namespace strandline::exports {
@@ -22,7 +25,14 @@ std::vector<Format> make_table() {
          false,
          [](const Plan& plan, const Choice&) -> Outcome<Written> {
              formats::BeachbotPair pair = formats::write_beachbot(plan);
-             return Written{{{"_robot.txt", std::move(pair.robot)}, {"_rake.txt", std::move(pair.rake)}}, {}};
+             Warnings lost;
+             if (const int times = times_backing(plan.samples); times > 0 && plan.robot.rake_offset == 0)
+                 lost.push_back(
+                     {"beachbot", fmt::format("the robot backs up {} times, and a pair whose tool is at the "
+                                              "turning point cannot say so: a reader turns it about there",
+                                              times)});
+             return Written{{{"_robot.txt", std::move(pair.robot)}, {"_rake.txt", std::move(pair.rake)}},
+                            std::move(lost)};
          }},
         {"csv",
          "a line a sample: s, t, x, y, heading, curvature, speed, turn rate, pins, rake",

@@ -18,12 +18,16 @@ constexpr int halvings = 30;
 
 double rounded(double degrees) { return std::round(degrees * 1e7) / 1e7; }
 
-/// The drive, and the samples that must be waypoints: ends, where the rake moves, stops.
+/// The drive, and the samples that must be waypoints: ends, where the rake moves or the robot turns back,
+/// stops.
 struct Drive {
     std::vector<Sample> samples;
     std::vector<Point> path;
     std::vector<std::size_t> marks;
     std::set<std::size_t> stops;
+    bool backs_from(std::size_t i) const {
+        return i + 1 < samples.size() && backs(samples[i], samples[i + 1]);
+    }
 };
 Drive drive_of(const Plan& plan) {
     Drive drive{pins::told(plan.robot, plan.samples), {}, {}, {}};
@@ -32,6 +36,8 @@ Drive drive_of(const Plan& plan) {
     for (const Span& span : spans_of(drive.samples)) marks.insert(span.first);
     for (const std::size_t at : stop_samples(plan, drive.samples)) drive.stops.insert(at);
     marks.insert(drive.stops.begin(), drive.stops.end());
+    for (std::size_t i = 1; i < drive.samples.size(); ++i)
+        if (drive.backs_from(i) != drive.backs_from(i - 1)) marks.insert(i);
     drive.marks.assign(marks.begin(), marks.end());
     return drive;
 }
@@ -85,6 +91,7 @@ class Builder {
         rake(false);
         for (const std::size_t i : waypoints) visit(i);
         if (down_) rake(false);
+        if (back_) reverse(false);
         return std::move(mission_);
     }
     double farthest_rounded() const { return farthest_rounded_; }
@@ -112,6 +119,10 @@ class Builder {
         speed_ = speed;
         down_ = down;
     }
+    void reverse(bool back) {
+        mission_.items.push_back({Command::set_reverse, {back ? 1.0 : 0.0, 0, 0, 0}, {}});
+        back_ = back;
+    }
     void visit(std::size_t i) {
         const Geographic at = place(i);
         if (drive_.stops.contains(i))
@@ -121,6 +132,7 @@ class Builder {
         last_ = at;
         const bool down = i + 1 < drive_.samples.size() && drive_.samples[i].mask != 0;
         if (down != down_) rake(down);
+        if (drive_.backs_from(i) != back_) reverse(!back_);
     }
 
     const Plan& plan_;
@@ -128,7 +140,7 @@ class Builder {
     Mission mission_;
     std::optional<Geographic> last_;
     double speed_ = -1, farthest_rounded_ = 0;
-    bool down_ = false;
+    bool down_ = false, back_ = false;
 };
 
 /// One servo lifts all pins: what is raked with some of them only.

@@ -1,5 +1,7 @@
 // Paths for ROS 2 as YAML: nav_msgs/msg/Path, and goals of nav2_msgs/action/FollowPath. One flow mapping a
 // pose; numbers always with a point, as readers of YAML 1.1 take 1e-05 for a word.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/text/text.hpp"
@@ -84,7 +86,12 @@ void add_goal(Paths& out, const Plan& plan, const std::vector<Sample>& samples, 
 
 Warnings lost(const Plan& plan) {
     if (plan.samples.empty()) return {{"plan", "nothing is driven: the path has no poses"}};
-    return {};
+    const int times = times_backing(plan.samples);
+    if (times == 0) return {};
+    return {{"nav",
+             fmt::format("the robot backs up at {} cusps, where the poses keep looking ahead: the controller "
+                         "must follow them (Regulated Pure Pursuit: allow_reversing)",
+                         times)}};
 }
 
 }  // namespace

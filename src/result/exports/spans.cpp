@@ -26,6 +26,17 @@ std::vector<std::size_t> stop_samples(const Plan& plan, const std::vector<Sample
     return places;
 }
 
+int times_backing(const std::vector<Sample>& samples) {
+    int times = 0;
+    bool back = false;
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+        const bool now = backs(samples[i], samples[i + 1]);
+        if (now && !back) ++times;
+        back = now;
+    }
+    return times;
+}
+
 Site site_of(const Plan& plan, Warnings& warnings) {
     Site site = plan.options.site.at;
     if (!plan.options.site.known) {

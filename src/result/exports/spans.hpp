@@ -19,6 +19,8 @@ std::vector<Span> spans_of(const std::vector<Sample>& samples);
 /// The sample from which the robot sets out after each of the plan's stops.
 std::vector<std::size_t> stop_samples(const Plan& plan, const std::vector<Sample>& samples);
 
+/// How often the robot begins to back up. O(samples).
+int times_backing(const std::vector<Sample>& samples);
 /// The plan's place on earth; a warning where none is set.
 Site site_of(const Plan& plan, Warnings& warnings);
 /// A hint of the element that the stroke belongs to; `otherwise` where it has none.

@@ -114,12 +114,14 @@ class PlanReader {
         if (n.size() < 3 || n.size() % 3 != 0)
             refuse(at, fmt::format("a curve of {} numbers: x, y, heading, then three a piece", n.size()));
         curve.start = {{n[0], n[1]}, n[2]};
-        for (std::size_t i = 3; i < n.size(); i += 3) {
-            if (n[i] < 0) refuse(item(at, i), "a piece of negative length");
-            curve.pieces.push_back({n[i], n[i + 1], n[i + 2]});
-        }
+        for (std::size_t i = 3; i < n.size(); i += 3) curve.pieces.push_back({n[i], n[i + 1], n[i + 2]});
     }
-    void get(const At& at, std::vector<Curve>& curves) { each(at, curves); }
+    void get(const At& at, std::vector<Curve>& curves) {  // rake paths
+        each(at, curves);
+        for (std::size_t i = 0; i < curves.size(); ++i)
+            if (std::ranges::any_of(curves[i].pieces, [](const Clothoid& piece) { return backs(piece); }))
+                refuse(item(at, i), "a piece of negative length: no rake is pushed");
+    }
 
     void get(const At& at, Path& path) { path = path_at(at); }
     void get(const At& at, std::variant<LineElement, RegionElement>& what) {

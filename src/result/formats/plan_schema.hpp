@@ -33,6 +33,7 @@ void fields(Either<Robot> auto& robot, Visit&& field) {
     field("right_radius", robot.right_radius);
     field("sharpness", robot.sharpness);
     field("can_pivot", robot.can_pivot);
+    field("can_back_up", robot.can_back_up);
     field("speed", robot.speed);
     field("travel_speed", robot.travel_speed);
     field("acceleration", robot.acceleration);

@@ -47,7 +47,8 @@ struct Machine {
             return std::clamp(wished, now - most, now + most);
         };
         const double fastest = std::max(robot.speed, robot.travel_speed);
-        end_speed_ = within(speed, std::clamp(told.speed, 0.0, fastest), robot.acceleration * tick);
+        const double backwards = robot.can_back_up ? -fastest : 0;
+        end_speed_ = within(speed, std::clamp(told.speed, backwards, fastest), robot.acceleration * tick);
         end_rate_ = within(turn_rate, std::clamp(told.turn_rate, -robot.turn_rate, robot.turn_rate),
                            robot.turn_acceleration * tick);
     }
@@ -141,7 +142,8 @@ class Loop {
         sense();
         const Pose believed = estimate_.now();
         const Target target = reference_.at(planned_t_);
-        const double behind = dot(target.pose.at - believed.at, unit(target.pose.heading));
+        const double sense = target.speed < 0 ? -1 : 1;
+        const double behind = sense * dot(target.pose.at - believed.at, unit(target.pose.heading));
         const double pace = std::clamp(1 - (behind - may_lag) / lag_range, 0.0, 1.0);
         const double next_t = std::min(planned_t_ + pace * tick_, reference_.end());
         // The command is for the end of this tick: the target then, the error as it is believed now.
@@ -198,7 +200,7 @@ class Loop {
         sample.pose = {machine_.pose.at, wrap_angle(machine_.pose.heading)};
         sample.speed = machine_.speed;
         sample.turn_rate = machine_.turn_rate;
-        sample.curvature = machine_.speed > 0 ? machine_.turn_rate / machine_.speed : 0;
+        sample.curvature = machine_.speed != 0 ? machine_.turn_rate / machine_.speed : 0;
         sample.rake = rake_at(robot_, machine_.pose);
         sample.mask = mask_;
         sample.motion = from.motion;
