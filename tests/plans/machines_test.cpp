@@ -5,6 +5,7 @@
 
 #include "plan/pipeline/pipeline.hpp"
 #include "result/check/check.hpp"
+#include "result/tracking/tracking.hpp"
 
 namespace strandline {
 namespace {
@@ -41,15 +42,15 @@ TEST(Machines, AToolThatCannotBeLiftedIsDownAllTheWayAndTheMarksAreTold) {
 }
 
 TEST(Machines, ARobotThatBacksUpComesSoonerAndIsNotMistakenForOneThatDoesNot) {
-    constexpr const char* hatching =
+    constexpr const char* zigzag =
         R"(<svg xmlns="http://www.w3.org/2000/svg" width="14000mm" height="14000mm" viewBox="0 0 14 14">
-  <path d="M5 4 V10 M5.3 10 V4 M5.6 4 V10 M5.9 10 V4" stroke="black" stroke-width="0.1" fill="none"/></svg>)";
+  <path d="M4 4 L9 4 L4 6 L9 8" stroke="black" stroke-width="0.1" fill="none"/></svg>)";
     Robot robot = *builtin_robot("beachbot");
     Options options;
     ASSERT_TRUE(set(options, "place.mode", "actual"));
-    const auto forward = make_plan({hatching, "lines.svg"}, robot, options, {});
+    const auto forward = make_plan({zigzag, "lines.svg"}, robot, options, {});
     robot.can_back_up = true;
-    const auto plan = make_plan({hatching, "lines.svg"}, robot, options, {});
+    const auto plan = make_plan({zigzag, "lines.svg"}, robot, options, {});
     ASSERT_TRUE(forward && plan);
     EXPECT_LT(plan->samples.back().t, forward->samples.back().t);
     int backing = 0;
@@ -63,9 +64,16 @@ TEST(Machines, ARobotThatBacksUpComesSoonerAndIsNotMistakenForOneThatDoesNot) {
     }
     EXPECT_GT(backing, 10);
     EXPECT_TRUE(check::prove(*plan).sound());
+    const tracking::Options exact{
+        .localisation = {.noise = 0, .heading_noise = 0, .wander = 0, .slip = 0, .delay = 0}};
+    const auto driven = tracking::driven(robot, plan->samples, exact);
+    EXPECT_FALSE(driven.lost);
+    EXPECT_LT(driven.most, 0.003);
+    EXPECT_NEAR(driven.time, plan->samples.back().t, 0.02 * driven.time);
     Plan mistaken = *plan;
     mistaken.robot.can_back_up = false;
     EXPECT_FALSE(check::prove(mistaken).sound());
+    EXPECT_TRUE(tracking::driven(mistaken.robot, plan->samples, exact).lost) << "it waits for ever";
 }
 
 TEST(Machines, TheSetbackIsKeptFromABorderThatWasAskedFor) {

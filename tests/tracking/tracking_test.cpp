@@ -79,23 +79,6 @@ TEST(Tracking, PinsThatTakeTimeAreToldEarlier) {
     EXPECT_NEAR(distance(lifted_at(false), wished), 0.4 * plan.robot.speed, 0.012);
 }
 
-TEST(Tracking, ItBacksUpAsThePlanDoes) {
-    Robot robot = *builtin_robot("beachbot");
-    robot.can_back_up = true;
-    const Curve curve{{{0, 0}, 0}, {{2, 0, 0}, {-1.5, 1, 0}, {2, 0, 0}}};
-    const auto plan = trajectory::timed({{Motion::connect, -1, states_along(curve, 0.01), curve}}, {}, robot);
-    const auto driven = tracking::driven(robot, plan, {});
-    EXPECT_FALSE(driven.lost);
-    EXPECT_LT(distance(driven.samples.back().pose.at, plan.back().pose.at), 0.02);
-    EXPECT_NEAR(driven.time, plan.back().t, 0.05 * plan.back().t);
-    double most = 0;
-    for (const auto& line : driven.log) most = std::max(most, distance(line.pose.at, line.target.at));
-    EXPECT_LT(most, 0.02);
-    robot.can_back_up = false;
-    const auto other = tracking::driven(robot, plan, {});
-    EXPECT_GT(distance(other.samples.back().pose.at, plan.back().pose.at), 0.02) << "one that cannot";
-}
-
 TEST(Tracking, NothingToDriveIsNothingDriven) { EXPECT_TRUE(tracking::driven({}, {}, {}).samples.empty()); }
 
 }  // namespace

@@ -72,7 +72,8 @@ TEST(Trajectory, TheRobotStandsWhereItTurnsBackAndItsSpeedSaysWhichWay) {
     int dwells = 0;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
         const Sample &a = samples[i], &b = samples[i + 1];
-        const double moved = distance(a.pose.at, b.pose.at), ahead = dot(b.pose.at - a.pose.at, unit(a.pose.heading));
+        const double moved = distance(a.pose.at, b.pose.at),
+                     ahead = dot(b.pose.at - a.pose.at, unit(a.pose.heading));
         (backs(a, b) ? back : forward) += moved;
         if (moved == 0) {
             ++dwells;
