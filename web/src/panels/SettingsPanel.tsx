@@ -3,7 +3,7 @@ import type { Setting } from '../api/client'
 import { edit, session, setOption } from '../session'
 import { useStore } from '../store'
 import { view } from '../view'
-import { spoken } from './words'
+import { spoken, written } from './words'
 
 const names: Record<string, string> = {
   canvas: 'Canvas and margin',
@@ -49,8 +49,7 @@ function shown(field: FieldShape): string {
 function range(field: FieldShape): string {
   if (field.low === undefined || field.high === undefined) return ''
   const f = field.kind === 'angle' ? 180 / Math.PI : 1
-  const text = (n: number) => (Math.abs(n) >= 1e5 ? n.toExponential(0) : `${+n.toFixed(4)}`)
-  return `${text(field.low * f)} to ${text(field.high * f)}`
+  return `${written(field.low * f)} to ${written(field.high * f)}`
 }
 
 function Field({ field }: { field: FieldShape }) {
