@@ -168,7 +168,7 @@ TEST_F(ApiTest, ADeletedProjectIsGoneForEverybody) {
     TempFolder outside;
     std::ofstream(outside.path / "secret.strandline") << "{}";
     std::filesystem::create_symlink(outside.path / "secret.strandline", folder.path / "secret.strandline");
-    for (const std::string strange :
+    for (const std::string& strange :
          {std::string("secret"), std::string(".."), "../" + outside.path.filename().string() + "/secret"})
         ask("DELETE", "projects/" + strange, "", 404);
     EXPECT_TRUE(std::filesystem::exists(outside.path / "secret.strandline"));
