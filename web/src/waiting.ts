@@ -1,6 +1,6 @@
 // An edit that the server was away for: it is kept here, one at most, and sent when the server answers again.
 import { api, Refusal } from './api/client'
-import type { Change } from './api/client'
+import type { Change, Edit, Standing } from './api/client'
 import { notify, session } from './state'
 
 const retryAfter = 1000 // milliseconds
@@ -31,7 +31,7 @@ async function sent(id: string, revision: number, what: string, changes: Change[
   try {
     const now = await api.standing(id)
     // It had come, only the answer was lost.
-    const taken = now.revision === revision + 1 && now.undo.next === what
+    const taken = now.revision === revision + 1 && now.undo.next === what && changes.every((change) => holds(change, now))
     if (!taken && now.revision !== revision)
       throw new Error(`"${what}" is lost: the project was changed elsewhere while the server was away. Make it once more.`)
     if (!taken) await api.edit(id, revision, what, changes)
@@ -41,5 +41,11 @@ async function sent(id: string, revision: number, what: string, changes: Change[
     throw error
   }
 }
+
+/** Two pages may do what is called the same: what is drawn tells whose it is. */
+function holds(change: Change, now: Standing): boolean {
+  return !('edit' in change) || now.edits.some((edit) => sorted(edit) === sorted(change.edit))
+}
+const sorted = (edit: Edit) => JSON.stringify(Object.entries(edit).sort(([a], [b]) => a.localeCompare(b)))
 
 export const dropWaiting = () => session.set({ waiting: '' })
