@@ -95,11 +95,13 @@ function listen(id: string): void {
   }
 }
 
+const reconnectAfter = 3000 // milliseconds, as browsers do where nobody answers
+
 /** Whether another page deleted the project that is open here; then the next one is opened. */
 async function leaveIfDeleted(id: string): Promise<void> {
   try {
     await api.standing(id)
-    if (id === current) listen(id)
+    window.setTimeout(() => id === current && !document.hidden && listen(id), reconnectAfter)
   } catch (error) {
     if (!(error instanceof Refusal) || error.status !== 404 || id !== current) throw error
     await openAny()

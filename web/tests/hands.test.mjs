@@ -49,6 +49,7 @@ test('what Escape, Enter and Delete do is done by buttons', async () => {
   await button('Cancel').click()
   assert.equal(await page.locator('.foot button').count(), 0)
   for (const corner of [[2, 2], [6, 2], [6, 5]]) await tap(...corner)
+  if (pictures) await page.screenshot({ path: join(pictures, 'touch.png') })
   const fenced = await edited(page, () => button('Close it').click())
   assert.equal(fenced.settings['field.keep_out'].split(' ').length, 3)
 

@@ -230,6 +230,7 @@ test('a sketch begins on bare sand and is drawn by hand', async () => {
   assert.equal(await page.locator('.status').textContent(), 'bare sand')
   assert.equal(await page.getByRole('alert').count() + await page.locator('.bad').count(), 0)
   await page.getByText('Bare sand: nothing is drawn yet. Draw with the pen').waitFor()
+  await page.locator('.hint').filter({ hasText: 'Bare sand: draw with the pen' }).waitFor()
   if (pictures) await page.screenshot({ path: join(pictures, 'editor-bare.png') })
   await page.locator('.panel').getByRole('button', { name: 'Draw' }).click()
   assert.equal(await page.evaluate(() => window.strandline.view.now.tool), 'draw')

@@ -1,5 +1,5 @@
 import type { Stroke } from '../canvas/gestures'
-import { edit } from '../session'
+import { edit, session } from '../session'
 import type { Offer } from '../view'
 import { view } from '../view'
 import { byKey, press, Tool } from './tool'
@@ -8,6 +8,7 @@ export class SelectTool extends Tool {
   readonly name = 'select'
   hint(): string {
     if (view.now.selected) return `What ${view.now.selected} is to be stands in the panel.${byKey('Delete erases it, Escape lets go.')}`
+    if (session.now.standing?.bare) return 'Bare sand: draw with the pen, write some words, or drop a drawing here.'
     return `${press()} an element. ${byKey('Right-drag or space-drag moves the view, the wheel zooms, 0 shows all.').trim() || 'Two fingers move and zoom.'}`
   }
   override offers(): Offer[] {

@@ -1,7 +1,7 @@
 import type { Hand, Stroke } from '../canvas/gestures'
 import { isTyping } from '../canvas/gestures'
 import type { Stage } from '../canvas/stage'
-import { redo, undo } from '../session'
+import { redo, session, undo } from '../session'
 import type { Offer, ToolName } from '../view'
 import { view } from '../view'
 import { CutTool, FillTool } from './fill'
@@ -39,6 +39,9 @@ export class Toolbox implements Hand {
     view.listen((now, before) => {
       if (now.tool !== before.tool) this.changed(before.tool)
       else if (now.fill !== before.fill || now.selected !== before.selected) this.say()
+    })
+    session.listen((now, before) => {
+      if (now.standing?.bare !== before.standing?.bare) this.say()
     })
     stage.host.dataset.tool = view.now.tool
     this.say()
