@@ -44,7 +44,6 @@ test('a line drawn while the server is away stays in sight, waits, and is kept w
   await line()
   await foot('"draw pen1" waits here and is sent').waitFor()
   assert.ok((await painted()) > bare + 100, 'the line is in sight')
-  if (process.env.STRANDLINE_PICTURES) await page.screenshot({ path: join(process.env.STRANDLINE_PICTURES, 'away.png') })
   await back()
   await foot('The server is back, and "draw pen1" is kept').waitFor({ timeout: 20000 })
   await page.waitForFunction(() => window.strandline.session.now.drawing.elements.some((e) => e.id === 'pen1'), null, { timeout: 20000 })

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { join } from 'node:path'
-import { at, edited, openEditor, pictures, root, settled, standing, startBrowser, startServer, tempFolder } from './editor.mjs'
+import { at, edited, openEditor, root, settled, standing, startBrowser, startServer, tempFolder } from './editor.mjs'
 
 let browser, server, folder, page
 const touch = { hasTouch: true, isMobile: true }
@@ -49,7 +49,6 @@ test('what Escape, Enter and Delete do is done by buttons', async () => {
   await button('Cancel').click()
   assert.equal(await page.locator('.foot button').count(), 0)
   for (const corner of [[2, 2], [6, 2], [6, 5]]) await tap(...corner)
-  if (pictures) await page.screenshot({ path: join(pictures, 'touch.png') })
   const fenced = await edited(page, () => button('Close it').click())
   assert.equal(fenced.settings['field.keep_out'].split(' ').length, 3)
 
@@ -91,7 +90,6 @@ test('tool options stand in one row, in sight', async () => {
       assert.ok(box.left >= view.left && box.right <= view.right, where)
       // On a phone the row is pushed along.
       if (width > 720) assert.ok(hidden <= 0, `${where}: ${hidden} px hidden`)
-      if (pictures && name === 'text' && width === 768) await page.screenshot({ path: join(pictures, 'row.png') })
     }
   }
 })

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { after, afterEach, before, beforeEach, test } from 'node:test'
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { drag, edited, elements, openEditor, pictures, root, settled, standing, startBrowser, startServer, tempFolder } from './editor.mjs'
+import { drag, edited, elements, openEditor, root, settled, standing, startBrowser, startServer, tempFolder } from './editor.mjs'
 
 let browser, server, folder, page
 before(async () => (browser = await startBrowser()))
@@ -193,7 +193,6 @@ test('what an export takes for granted is said where it is saved', async () => {
   await said.getByText('latitude 0, longitude 0 is taken').waitFor()
   assert.match(await said.textContent(), /^drawing.geojson is saved, with 1 warning:/)
   await page.locator('.sheet').waitFor({ state: 'detached' })
-  if (pictures) await page.screenshot({ path: join(pictures, 'saved.png') })
   await page.keyboard.press('Escape')
   await said.waitFor({ state: 'detached' })
   // Nothing to say: the list is gone with the file.
@@ -231,7 +230,6 @@ test('a sketch begins on bare sand and is drawn by hand', async () => {
   assert.equal(await page.getByRole('alert').count() + await page.locator('.bad').count(), 0)
   await page.getByText('Bare sand: nothing is drawn yet. Draw with the pen').waitFor()
   await page.locator('.hint').filter({ hasText: 'Bare sand: draw with the pen' }).waitFor()
-  if (pictures) await page.screenshot({ path: join(pictures, 'editor-bare.png') })
   await page.locator('.panel').getByRole('button', { name: 'Draw' }).click()
   assert.equal(await page.evaluate(() => window.strandline.view.now.tool), 'draw')
   const box = await page.locator('.canvas').boundingBox()
@@ -280,7 +278,6 @@ test('a project is deleted from the list once it was asked for, and pages that h
   await page.click('text=Project')
   await projectRow('Delete sketch').click()
   const asked = page.getByRole('group', { name: 'Delete sketch?' })
-  if (pictures) await page.screenshot({ path: join(pictures, 'delete.png') })
   await asked.getByRole('button', { name: 'Keep' }).click()
   await asked.waitFor({ state: 'detached' })
   assert.deepEqual(files(), ['drawing.strandline', 'sketch.strandline'])
