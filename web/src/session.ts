@@ -1,6 +1,6 @@
 // The open project: what holds, the newest plan, and what is asked of the server. Every panel and tool goes through here.
 import { api, Refusal } from './api/client'
-import type { Change, ProgressEvent, Standing, StandingEvent } from './api/client'
+import type { Change, Edit, ProgressEvent, Standing, StandingEvent } from './api/client'
 import { noSamples, readSamples } from './plan/samples'
 import type { Samples } from './plan/samples'
 import { notify, projectId, session } from './state'
@@ -139,6 +139,14 @@ export function followVisibility(): void {
   })
 }
 
+/** Whether a line would take the place of one that another page drew meanwhile, under the same name. */
+function takesPlace(changes: Change[], before: Edit[], now: Edit[]): boolean {
+  const drawn = (edits: Edit[]) => new Set(edits.map((e) => (e.edit === 'draw' ? e.element : '')))
+  const known = drawn(before)
+  const fresh = drawn(now)
+  return changes.some((c) => 'edit' in c && c.edit.edit === 'draw' && fresh.has(c.edit.element) && !known.has(c.edit.element))
+}
+
 /** Changes taken in one step. A stale revision (another tab was quicker) is read again and the step taken once more; one that the
  * server was away for waits for it. False: it was not kept, and why was said. */
 export function edit(what: string, changes: Change[]): Promise<boolean> {
@@ -152,7 +160,12 @@ export function edit(what: string, changes: Change[]): Promise<boolean> {
       if (!(error instanceof Refusal)) throw error
       if (error.isAway) await waitAndSend(id, revision, what, changes)
       else if (error.status !== 409) throw error
-      else await api.edit(id, (await refreshStanding(id)).revision, what, changes)
+      else {
+        const { edits } = session.now.standing!
+        const newest = await refreshStanding(id)
+        if (takesPlace(changes, edits, newest.edits)) throw new Error(`"${what}" is lost: the same name was drawn elsewhere. Make it once more.`)
+        await api.edit(id, newest.revision, what, changes)
+      }
     }
     await refreshStanding(id)
     return true

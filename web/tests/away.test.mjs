@@ -69,6 +69,20 @@ test('one edit waits at most: another is taken off the canvas and said to be los
   assert.deepEqual(await pens(), [])
 })
 
+test('a setting that is refused while an edit waits goes back to what holds', async () => {
+  await page.click('role=tab[name="Settings"]')
+  await server.kill('SIGKILL')
+  await page.locator('.status.bad').waitFor()
+  await line()
+  await foot('waits here').waitFor()
+  await page.click('summary:has-text("Filling")')
+  const list = page.locator('[id="set-fill.style"]')
+  const held = await list.inputValue()
+  await list.selectOption({ index: (await list.locator('option').count()) - 1 })
+  await foot('is not kept').waitFor()
+  await page.waitForFunction((value) => document.getElementById('set-fill.style').value === value, held)
+})
+
 test('an edit whose answer alone was lost is not sent twice', async () => {
   await page.route(/\/edits$/, async (route) => {
     await route.fetch()

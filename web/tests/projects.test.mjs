@@ -69,6 +69,18 @@ test('two tabs show the same project; a stale edit is taken up again', async () 
   await page.keyboard.press('d')
   await drag(page, [[2, 9], [3, 10], [4, 9]])
   await page.waitForFunction(() => window.strandline.session.now.standing.edits.length === 3)
+  // Not even that a line of that name was drawn: it does not take its place.
+  await settled(page, 4)
+  await page.evaluate(() => {
+    const { session } = window.strandline
+    const { standing, drawing } = session.now
+    const elements = drawing.elements.filter((e) => !e.id.startsWith('pen'))
+    session.set({ standing: { ...standing, revision: 1, edits: [] }, drawing: { ...drawing, elements } })
+  })
+  await drag(page, [[2, 8], [3, 9], [4, 8]])
+  await page.locator('.hint.notice').filter({ hasText: '"draw pen1" is lost' }).waitFor()
+  const kept = (await standing(page)).edits.filter((e) => e.edit === 'draw')
+  assert.deepEqual(kept.map((e) => [e.element, Math.round(e.paths[0][2])]), [['pen1', 11], ['pen2', 9]])
   await other.context().close()
 })
 
