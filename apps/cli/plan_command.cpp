@@ -136,7 +136,7 @@ int plan(const PlanArguments& arguments, const Common& common) {
             fidelity_rows(fidelity::judged(made->drawing, fidelity::drive_of(*made)).report),
             legibility_rows(made->drawing, legibility::report(made->drawing, made->robot), common.verbose));
     if (!common.quiet) fmt::print(stderr, "{}", findings(report, common.verbose));
-    if (!common.quiet && common.verbose) fmt::print(stderr, "{}", places(*made, report));
+    if (!common.quiet) fmt::print(stderr, "{}", places(*made, report, common.verbose));
     const std::string short_of = arguments.strict ? shortcomings(*made, report) : "";
     fmt::print(stderr, "{}", short_of);
     if (arguments.open)

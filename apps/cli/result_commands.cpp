@@ -36,7 +36,7 @@ int check(const CheckArguments& arguments, const Common& common) {
     } else if (!common.quiet) {
         fmt::print("{}{}", summary(*plan, report), fidelity_rows(fidelity));
         fmt::print("{}", findings(report, common.verbose));
-        if (common.verbose) fmt::print("{}", places(*plan, report));
+        fmt::print("{}", places(*plan, report, common.verbose));
         for (const check::Blemish& b : report.blemishes)
             if (common.verbose)
                 fmt::print(

@@ -95,8 +95,12 @@ std::string summary(const Plan& plan, const check::Report& report) {
     return text;
 }
 
-std::string places(const Plan& plan, const check::Report& report) {
+std::string places(const Plan& plan, const check::Report& report, bool all) {
+    const std::size_t warned_of = plan.blemishes.size() + plan.undrivable.size();
+    if (!all && warned_of > 0)
+        return fmt::format("note: {} places of the warnings: -v lists all\n", warned_of);
     std::string text;
+    if (!all) return text;
     for (const Spot& spot : plan.bare)
         text += fmt::format("bare as planned: {:.3g} m2 of {} at ({:.2f}, {:.2f})\n", spot.amount, spot.what,
                             spot.at.x, spot.at.y);

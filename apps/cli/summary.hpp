@@ -11,8 +11,9 @@ namespace strandline::cli {
 
 /// Lines of text, each ended: scale, elements, lengths, time, what fell short.
 std::string summary(const Plan& plan, const check::Report& report);
-/// Lines for -v: bare places as planned and as driven, and where the rake cannot follow its path.
-std::string places(const Plan& plan, const check::Report& report);
+/// Lines: bare places as planned and as driven, finished sand met, and where the rake cannot follow its path;
+/// not `all`: one that says how many of them warnings sum up.
+std::string places(const Plan& plan, const check::Report& report, bool all);
 /// A line for each reason that --strict ends with 3; empty: there is none.
 std::string shortcomings(const Plan& plan, const check::Report& report);
 /// The check's findings, a line each; "" when there are none.

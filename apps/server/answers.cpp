@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "input/trace/trace.hpp"
+#include "plan/pipeline/pipeline.hpp"
 #include "result/formats/formats.hpp"
 
 namespace strandline::serve {
@@ -142,11 +143,25 @@ bool is_project_text(std::string_view bytes) {
     return first != std::string_view::npos && bytes[first] == '{';
 }
 
-Outcome<void> is_drawing(std::string_view bytes) {
-    if (!trace::format_of(bytes).empty() || bytes.find("<svg") != std::string_view::npos ||
-        bytes.find(":svg") != std::string_view::npos)
-        return {};
-    return fail("body", "is neither SVG nor PNG nor JPEG, nor a project", "send a drawing's file");
+Outcome<void> is_drawing(const SourceFile& file) {
+    const auto refused = [&](Error error) {
+        error.place = error.place.empty() ? file.title : file.title + ", " + error.place;
+        return tl::unexpected(std::move(error));
+    };
+    if (!trace::format_of(file.bytes).empty()) {
+        const auto picture = trace::read_picture(file.bytes);
+        return picture ? Outcome<void>() : refused(picture.error());
+    }
+    const bool svg =
+        file.bytes.find("<svg") != std::string::npos || file.bytes.find(":svg") != std::string::npos;
+    if (!svg)
+        return fail(file.title, "is neither SVG nor PNG nor JPEG, nor a project", "choose a drawing's file");
+    const auto document = read_source({file.bytes, file.title}, {});
+    if (!document) return refused(document.error());
+    if (document->shapes.empty())
+        return fail(file.title, "holds no shapes: there is nothing to draw",
+                    "choose another file, or begin a new sketch");
+    return {};
 }
 
 std::string about_text(const Setup& setup) {
@@ -191,6 +206,7 @@ std::string standing_text(const Workspace& workspace) {
                     {"revision", now.revision},
                     {"news", now.news},
                     {"source", now.state.source ? now.state.source->title : ""},
+                    {"bare", is_bare(now.state)},
                     {"robot_name", now.state.robot_name},
                     {"robot", Json::parse(formats::write_robot_json(now.state.robot))},
                     {"settings", std::move(values)},

@@ -20,8 +20,9 @@ Outcome<long long> revision_in_query(const Call& call);
 Outcome<Lettering> lettering_in(std::string_view body);
 
 bool is_project_text(std::string_view bytes);
-/// Error: neither SVG nor PNG nor JPEG, by its first bytes.
-Outcome<void> is_drawing(std::string_view bytes);
+/// Error: neither SVG nor PNG nor JPEG; one that cannot be read, with the place in the file; an SVG without a
+/// shape. Reads the whole file.
+Outcome<void> is_drawing(const SourceFile& file);
 
 std::string about_text(const Setup& setup);
 std::string list_text(const std::vector<std::string>& ids);

@@ -26,6 +26,7 @@ Reply not_allowed(const std::string& method) {
 /// The status that tells a client what to do about an Error of Workspace::change.
 int status_of(const Error& error) {
     if (error.place == "revision") return 409;
+    if (error.place == "project") return 404;
     return error.reason.find("cannot be saved") != std::string::npos ? 507 : 422;
 }
 
@@ -82,7 +83,7 @@ Reply take_source(Workspace& workspace, const Call& call) {
     const auto revision = revision_in_query(call);
     if (!revision) return refusal(400, revision.error());
     SourceFile source{value_in(call.query, "title", "drawing"), std::string(call.body)};
-    if (const auto fine = is_drawing(source.bytes); !fine) return refusal(415, fine.error());
+    if (const auto fine = is_drawing(source); !fine) return refusal(415, fine.error());
     return changed(workspace.change(*revision, [&](Project& project) {
         project.sources.push_back(std::make_shared<const SourceFile>(source));
         const int number = static_cast<int>(project.sources.size()) - 1;
@@ -121,15 +122,28 @@ Outcome<std::string> Api::create(const std::string& title, std::string bytes) {
         if (!read) return tl::unexpected(read.error());
         project = std::move(*read);
     } else {
-        if (const auto fine = is_drawing(bytes); !bytes.empty() && !fine) return tl::unexpected(fine.error());
+        SourceFile file{title, std::move(bytes)};
+        if (!file.bytes.empty())
+            if (const auto fine = is_drawing(file); !fine) return tl::unexpected(fine.error());
         project.title = title;
-        project.sources.push_back(std::make_shared<const SourceFile>(SourceFile{title, std::move(bytes)}));
+        project.sources.push_back(std::make_shared<const SourceFile>(std::move(file)));
     }
     const std::lock_guard lock(mutex_);
     const std::string id = folder_.unused(project_id_for(title));
     if (const auto saved = folder_.write(id, write_project(project)); !saved)
         return tl::unexpected(saved.error());
     return id;
+}
+
+Outcome<void> Api::remove(const std::string& id) {
+    std::shared_ptr<Workspace> opened;  // ended behind the lock: its threads take a moment
+    const std::lock_guard lock(mutex_);
+    const auto found = open_.find(id);
+    if (found == open_.end()) return folder_.remove(id);
+    opened = found->second;
+    auto gone = opened->remove();
+    if (gone) open_.erase(found);
+    return gone;
 }
 
 void Api::close() {
@@ -147,6 +161,7 @@ Reply Api::answer(const Call& call) {
         return call.method == "POST" ? answer_lettering(call) : not_allowed(call.method);
     if (first != "projects") return not_found(call.path);
     if (parts.size() == 1) return answer_projects(call);
+    if (call.method == "DELETE" && parts.size() == 2) return answer_removal(parts[1]);
     const auto found = workspace(parts[1]);
     if (!found) return refusal(folder_.holds(parts[1]) ? 500 : 404, found.error());
     std::string rest;
@@ -162,6 +177,11 @@ Reply Api::answer_projects(const Call& call) {
     const auto id = create(value_in(call.query, "title", "drawing"), std::string(call.body));
     if (!id) return refusal(status_of(id.error()) == 507 ? 507 : 415, id.error());
     return json_reply(201, id_text(*id));
+}
+
+Reply Api::answer_removal(const std::string& id) {
+    if (const auto gone = remove(id); !gone) return refusal(folder_.holds(id) ? 500 : 404, gone.error());
+    return json_reply(200, id_text(id));
 }
 
 Reply Api::answer_project(const Call& call, Workspace& workspace, const std::string& what) {

@@ -62,8 +62,11 @@ class Api {
     Reply answer(const Call& call);
     /// Opened when it is not. Error: no such project, a file that is none.
     Outcome<std::shared_ptr<Workspace>> workspace(const std::string& id);
-    /// A new project from a drawing, a picture, a project file, or nothing. Gives its id.
+    /// A new project from a drawing, a picture, a project file, or nothing. Gives its id. Error: what cannot
+    /// be read, or draws nothing; no project is made of it.
     Outcome<std::string> create(const std::string& title, std::string bytes);
+    /// For good. Error: no such project, no right to.
+    Outcome<void> remove(const std::string& id);
     const Folder& folder() const { return folder_; }
     /// Ends every event stream.
     void close();
@@ -71,6 +74,7 @@ class Api {
   private:
     Reply answer_about() const;
     Reply answer_projects(const Call& call);
+    Reply answer_removal(const std::string& id);
     Reply answer_project(const Call& call, Workspace& workspace, const std::string& what);
     Reply answer_lettering(const Call& call) const;
 

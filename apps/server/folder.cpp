@@ -128,4 +128,13 @@ Outcome<void> Folder::write(const std::string& id, std::string_view text) const 
     return {};
 }
 
+Outcome<void> Folder::remove(const std::string& id) const {
+    if (!holds(id)) return fail(id, "there is no such project", "list them with GET /api/v1/projects");
+    if (unlink(file_of(id).c_str()) != 0)
+        return fail(file_of(id).string(),
+                    std::string("the project cannot be deleted: ") + std::strerror(errno),
+                    "check the folder's rights");
+    return {};
+}
+
 }  // namespace strandline::serve

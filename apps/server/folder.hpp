@@ -28,6 +28,8 @@ class Folder {
     /// Written beside it, brought to the disk, then renamed: whenever the program is ended there is the old
     /// file or the new one.
     Outcome<void> write(const std::string& id, std::string_view text) const;
+    /// Error: no such id, no right to.
+    Outcome<void> remove(const std::string& id) const;
 
   private:
     std::filesystem::path file_of(const std::string& id) const;

@@ -67,6 +67,10 @@ bool tied_at(const LinkEdit& a, const LinkEdit& b) {
 
 }  // namespace
 
+bool is_bare(const State& state) {
+    return !state.source || (state.source->bytes.empty() && state.edits.empty());
+}
+
 bool same_thing(const Edit& a, const Edit& b) {
     if (a.index() != b.index()) return false;
     const Visit compare{

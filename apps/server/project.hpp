@@ -61,6 +61,9 @@ struct State {
     std::vector<Edit> edits;
 };
 
+/// Neither a drawing nor an edit: a sketch before its first line.
+bool is_bare(const State& state);
+
 /// Whether one takes the other's place: the same node tied, element entered or turned, hint of an element,
 /// element drawn; there is one order.
 bool same_thing(const Edit& a, const Edit& b);

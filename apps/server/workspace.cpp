@@ -112,6 +112,7 @@ void Workspace::tell_standing() {
 Outcome<long long> Workspace::change(long long revision, const Edited& change) {
     {
         const std::lock_guard lock(mutex_);
+        if (removed_) return fail("project", "was deleted", "open another one");
         if (revision != project_.revision)
             return fail("revision",
                         fmt::format("{} is not the newest: it is {}", revision, project_.revision),
@@ -130,6 +131,16 @@ Outcome<long long> Workspace::change(long long revision, const Edited& change) {
     }
     tell_standing();
     return revision;
+}
+
+Outcome<void> Workspace::remove() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto gone = folder_.remove(id_); !gone) return gone;
+        removed_ = true;
+    }
+    hub_.close();
+    return {};
 }
 
 /// A draft first: it is on the screen while the search goes on. The stages that both share are made once.
@@ -154,8 +165,9 @@ Outcome<Draft> Workspace::draft_or_plan(const State& state, bool draft, const Pr
 bool Workspace::plan_and_publish(const State& state, long long revision, const std::atomic<bool>& stop,
                                  bool draft) {
     Outcome<Draft> made;
+    const bool bare = is_bare(state);
     try {
-        if (!state.source || (state.source->bytes.empty() && state.edits.empty()))
+        if (bare)
             made = fail("drawing", "nothing is drawn yet", "draw, write, or drop a drawing here");
         else
             made =
@@ -174,6 +186,7 @@ bool Workspace::plan_and_publish(const State& state, long long revision, const s
             planning_ = false;
             ++news_;
             failure_ = made.error();
+            if (bare) planned_.reset();  // what was drawn before is no part of it
         }
         tell_standing();
         return false;

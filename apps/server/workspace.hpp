@@ -80,6 +80,10 @@ class Workspace {
     using Edited = std::function<Outcome<void>(Project&)>;
     Outcome<long long> change(long long revision, const Edited& change);
 
+    /// The project's file is deleted and every event stream ended; a change that comes later is refused with
+    /// place "project".
+    Outcome<void> remove();
+
     Hub& hub() { return hub_; }
     /// The event that says what holds now.
     Event standing_event() const;
@@ -102,6 +106,7 @@ class Workspace {
     bool planning_ = false;
     std::optional<Error> failure_;
     std::shared_ptr<const Planned> planned_;
+    bool removed_ = false;
     Hub hub_;
     std::unique_ptr<Planner> planner_;
     DrawingMaker drawings_;

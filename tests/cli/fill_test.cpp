@@ -59,6 +59,11 @@ TEST(Fill, StrictSaysWhyItEndsWithThree) {
     const Result all = run(folder, "check -v plan.json");
     EXPECT_NE(all.out.find("not drivable: at ("), std::string::npos) << all.out;
     EXPECT_NE(all.out.find("bare as driven: "), std::string::npos) << all.out;
+    // The plan's warnings are read elsewhere too: the program alone speaks of its switch.
+    EXPECT_NE(run(folder, "check plan.json").out.find("places of the warnings: -v lists all"),
+              std::string::npos);
+    EXPECT_EQ(all.out.find("-v lists all"), std::string::npos) << all.out;
+    EXPECT_EQ(read(folder / "plan.json").find("-v lists"), std::string::npos);
 }
 
 TEST(Fill, AnAreaThatIsLeftBareIsNamedWithTheChoiceThatLeavesIt) {

@@ -117,7 +117,8 @@ TEST_F(ApiTest, UnknownPlacesAreSaidToBeUnknown) {
         ask("GET", path, "", 404);
     for (const std::string path : {"/nothing", "/plan", "/plan/x", "/exports/exe", "/exports/../plan"})
         ask("GET", "projects/" + id + path, "", 404);
-    ask("DELETE", "projects/" + id, "", 405);
+    ask("DELETE", "projects", "", 405);
+    ask("DELETE", "projects/" + id + "/edits", "", 405);
     ask("GET", "projects/" + id + "/edits", "", 405);
     ask("PUT", "about", "", 405);
 }
@@ -132,16 +133,61 @@ TEST_F(ApiTest, OnlyDrawingsAndProjectsAreTaken) {
     EXPECT_EQ(ask("GET", "projects")["projects"].size(), 2u);
 }
 
+TEST_F(ApiTest, WhatIsBrokenOrDrawsNothingBecomesNoProject) {
+    const std::string bare = R"(<svg xmlns="http://www.w3.org/2000/svg"><g/></svg>)";
+    const Json broken = ask("POST", "projects?title=eye.svg", R"(<svg><path d="M0)", 415)["error"];
+    EXPECT_EQ(broken["place"].get<std::string>().substr(0, 15), "eye.svg, line 1");
+    EXPECT_NE(broken["reason"].get<std::string>().find("not well-formed XML"), std::string::npos);
+    EXPECT_NE(
+        ask("POST", "projects?title=x", bare, 415)["error"]["reason"].get<std::string>().find("no shapes"),
+        std::string::npos);
+    ask("POST", "projects?title=x.png", "\x89PNG\r\n\x1a\nabc", 415);
+    EXPECT_TRUE(ask("GET", "projects")["projects"].empty());
+    const std::string id = begin();
+    ask("POST", "projects/" + id + "/source?revision=1", bare, 415);
+    EXPECT_EQ(ask("GET", "projects/" + id)["revision"], 1);
+}
+
+TEST_F(ApiTest, ADeletedProjectIsGoneForEverybody) {
+    const std::string id = begin(), other = begin();
+    const auto workspace = api.workspace(id).value();  // as a page has it open
+    const auto listener = workspace->hub().listen();
+    EXPECT_EQ(ask("DELETE", "projects/" + id)["id"], id);
+    EXPECT_TRUE(listener->closed());
+    ask("GET", "projects/" + id, "", 404);
+    ask("DELETE", "projects/" + id, "", 404);
+    const auto late = workspace->change(1, [](Project& project) {
+        return take_step(project, {"late", {EditChange{HintEdit{"line", "pins", "1"}}}});
+    });
+    ASSERT_FALSE(late);
+    EXPECT_EQ(late.error().place, "project");
+    EXPECT_EQ(ask("GET", "projects")["projects"], Json::parse(R"([{"id":")" + other + "\"}]"));
+    std::ofstream(folder.path / "spoilt.strandline") << "{";
+    ask("GET", "projects/spoilt", "", 500);
+    ask("DELETE", "projects/spoilt");
+    TempFolder outside;
+    std::ofstream(outside.path / "secret.strandline") << "{}";
+    std::filesystem::create_symlink(outside.path / "secret.strandline", folder.path / "secret.strandline");
+    for (const std::string& strange :
+         {std::string("secret"), std::string(".."), "../" + outside.path.filename().string() + "/secret"})
+        ask("DELETE", "projects/" + strange, "", 404);
+    EXPECT_TRUE(std::filesystem::exists(outside.path / "secret.strandline"));
+}
+
 TEST_F(ApiTest, BareSandIsNoPlanUntilSomethingIsDrawn) {
     const std::string id = begin("");
     EXPECT_FALSE(settled(id)["failure"].is_null());
+    EXPECT_TRUE(settled(id)["bare"]);
     const std::string line =
         R"({"edit":{"edit":"draw","element":"pen1","paths":[["M",2,2,"L",9,3]],"pins":3,"smooth":0}})";
     ask("POST", "projects/" + id + "/edits", edit(1, line));
     EXPECT_TRUE(settled(id)["failure"].is_null());
     EXPECT_EQ(ask("GET", "projects/" + id + "/plan/drawing")["elements"][0]["id"], "pen1");
+    EXPECT_FALSE(settled(id)["bare"]);
     ask("POST", "projects/" + id + "/undo", R"({"revision":2})");
     EXPECT_FALSE(settled(id)["failure"].is_null());
+    EXPECT_TRUE(settled(id)["bare"]);
+    EXPECT_TRUE(settled(id)["plan"].is_null());  // the line that was undone is not shown any more
 }
 
 TEST_F(ApiTest, KeepOutsAndTheBorderAreSetAndShown) {

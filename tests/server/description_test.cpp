@@ -18,17 +18,17 @@ void replace(std::string& text, const std::string& what, const std::string& with
 TEST(Description, EveryRouteAnswersAsDescribedAndTakesNoOtherMethod) {
     const TempFolder folder;
     Api api{small_setup(), Folder(folder.path)};
-    const std::string id = *api.create("small.svg", small_drawing);
     std::ifstream file(STRANDLINE_SOURCE "/web/public/openapi.json");
     const Json description = Json::parse(file);
     int routes = 0;
     for (const auto& [path, methods] : description["paths"].items()) {
         if (path.ends_with("/events")) continue;  // a stream: answered a floor higher, see http_test
         std::string where = path;
+        const std::string id = *api.create("small.svg", small_drawing);  // one of the routes deletes it
         replace(where, "{id}", id);
         replace(where, "{format}", "plan");
         for (const auto& [method, name] : {std::pair("GET", "get"), std::pair("POST", "post"),
-                                           std::pair("DELETE", "delete"), std::pair("PUT", "put")}) {
+                                           std::pair("PUT", "put"), std::pair("DELETE", "delete")}) {
             const Reply reply = api.answer({method, where, {}, {}, ""});
             SCOPED_TRACE(std::string(method) + " " + path + ": " + reply.body.substr(0, 200));
             if (!methods.contains(name)) {
@@ -41,6 +41,7 @@ TEST(Description, EveryRouteAnswersAsDescribedAndTakesNoOtherMethod) {
         }
     }
     EXPECT_GT(routes, 12);
+    const std::string id = *api.create("small.svg", small_drawing);
     EXPECT_EQ(api.answer({"GET", "/api/v1/projects/" + id + "/plan/nothing", {}, {}, ""}).status, 404);
 }
 

@@ -129,6 +129,8 @@ TEST(Http, StrangersAndNonsenseGetAClearErrorAndChangeNothing) {
     expect(c.Get(project, {{"Host", "evil.example"}}), 403);
     expect(c.Post(edits, {{"Origin", "http://evil.example"}}, erase(1, "line"), "application/json"), 403);
     expect(c.Post(edits, {{"Origin", "null"}}, erase(1, "line"), "text/plain"), 403);
+    expect(c.Delete(project, {{"Origin", "http://evil.example"}}), 403);
+    expect(c.Delete(project, {{"Host", "evil.example"}}), 403);
     expect(c.Post(edits, {{"Sec-Fetch-Site", "cross-site"}}, erase(1, "line"), "application/json"), 403);
     expect(c.Get(std::string(project) + "/events", {{"Host", "evil.example"}}), 403);
     expect(c.Get("/api/v1/projects/none/events"), 404);

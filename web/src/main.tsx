@@ -5,6 +5,7 @@ import { Stage } from './canvas/stage'
 import { HintLine, ToolOptions, ToolRail } from './panels/Tools'
 import { Panel } from './panels/Panel'
 import { Playback } from './panels/Playback'
+import { SavedCard } from './panels/ExportList'
 import { TopBar } from './panels/TopBar'
 import { begin, notify, openFile, session } from './session'
 import { Toolbox } from './tools/tools'
@@ -17,10 +18,12 @@ import './style/playback.css'
 function App() {
   const host = useRef<HTMLDivElement>(null)
   const stage = useRef<Stage | null>(null)
+  const toolbox = useRef<Toolbox | null>(null)
   const [dropping, setDropping] = useState(false)
   useEffect(() => {
     stage.current = new Stage(host.current!)
-    listenTo(stage.current, new Toolbox(stage.current))
+    toolbox.current = new Toolbox(stage.current)
+    listenTo(stage.current, toolbox.current)
     // For tests and benches: the page's own parts, nothing more.
     Object.assign(window, { strandline: { stage: stage.current, session, view } })
     begin().catch((error: Error) => notify(error.message))
@@ -47,7 +50,8 @@ function App() {
         <div class="view">
           <div class="canvas" ref={host} tabIndex={0} role="application" aria-label="Canvas: the drawing and how it is driven" />
           <ToolOptions />
-          <HintLine />
+          <SavedCard />
+          <HintLine take={(offer) => toolbox.current?.take(offer)} />
         </div>
         <Panel show={show} />
       </main>

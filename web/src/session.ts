@@ -1,40 +1,13 @@
 // The open project: what holds, the newest plan, and what is asked of the server. Every panel and tool goes through here.
 import { api, Refusal } from './api/client'
-import type { About, Change, Drawing, Drive, Failure, Report, Standing, StandingEvent, ProgressEvent } from './api/client'
+import type { Change, Edit, ProgressEvent, Standing, StandingEvent } from './api/client'
 import { noSamples, readSamples } from './plan/samples'
 import type { Samples } from './plan/samples'
-import { Store } from './store'
+import { notify, projectId, session } from './state'
+import { refusedWhileWaiting, sendWhenBack } from './waiting'
 
-export interface SessionState {
-  about: About | null
-  standing: Standing | null
-  drawing: Drawing | null
-  drive: Drive | null
-  samples: Samples
-  report: Report | null
-  /** Revision of the project that the plan shown was made from. */
-  planned: number
-  planning: boolean
-  progress: ProgressEvent | null
-  failure: Failure | null
-  online: boolean
-  notice: string
-}
-
-export const session = new Store<SessionState>({
-  about: null,
-  standing: null,
-  drawing: null,
-  drive: null,
-  samples: noSamples,
-  report: null,
-  planned: 0,
-  planning: false,
-  progress: null,
-  failure: null,
-  online: true,
-  notice: '',
-})
+export { notify, projectId, session }
+export type { SessionState } from './state'
 
 let events: EventSource | null = null
 const noTags = { revision: 0, drawing: '', drive: '', samples: '', report: '' }
@@ -55,17 +28,6 @@ function inTurn<T>(work: () => Promise<T>): Promise<T | undefined> {
   return done
 }
 
-let noticeTimer = 0
-export function notify(notice: string): void {
-  session.set({ notice })
-  window.clearTimeout(noticeTimer)
-  if (notice) noticeTimer = window.setTimeout(() => session.set({ notice: '' }), 8000)
-}
-
-export function projectId(): string {
-  return session.now.standing?.id ?? ''
-}
-
 async function refreshStanding(id: string): Promise<Standing> {
   let standing = await api.standing(id)
   while (id === current && standing.news < newest) standing = await api.standing(id)
@@ -80,9 +42,16 @@ async function newSamples(id: string, before: Samples): Promise<Samples> {
   return readSamples(bytes, tag, before)
 }
 
+/** Nothing is drawn any more: what was planned is not shown as if it held. */
+function takeBareSand(): void {
+  const { drawing } = session.now
+  tags = noTags
+  session.set({ drawing: drawing && { ...drawing, elements: [] }, drive: null, samples: noSamples, report: null })
+}
+
 /** Takes over the parts of the plan that changed. Drawing, drive and samples belong together and are shown together. */
 async function takePlan(id: string, plan: StandingEvent['plan']): Promise<void> {
-  if (!plan) return
+  if (!plan) return session.now.standing?.bare ? takeBareSand() : undefined
   const [drawing, drive, samples] = await Promise.all([
     plan.drawing === tags.drawing ? session.now.drawing : api.drawing(id),
     plan.drive === tags.drive ? session.now.drive : api.drive(id),
@@ -121,15 +90,33 @@ function listen(id: string): void {
     // The next one that answers may be another server, which counts from the beginning.
     newest = 0
     session.set({ online: false })
+    // Not away, but refused: a browser asks no more.
+    if (events?.readyState === EventSource.CLOSED) leaveIfDeleted(id).catch((error: Error) => notify(error.message))
+  }
+}
+
+const reconnectAfter = 3000 // milliseconds, as browsers do where nobody answers
+
+/** Whether another page deleted the project that is open here; then the next one is opened. */
+async function leaveIfDeleted(id: string): Promise<void> {
+  try {
+    await api.standing(id)
+    window.setTimeout(() => id === current && !document.hidden && listen(id), reconnectAfter)
+  } catch (error) {
+    if (!(error instanceof Refusal) || error.status !== 404 || id !== current) throw error
+    await openAny()
+    notify(`${id} was deleted.`)
   }
 }
 
 export async function openProject(id: string): Promise<void> {
+  await api.standing(id) // one that cannot be opened leaves this one open
   events?.close()
   current = id
   tags = noTags
   newest = 0
-  session.set({ drawing: null, drive: null, samples: noSamples, report: null, planned: 0, progress: null, failure: null })
+  notify('')
+  session.set({ drawing: null, drive: null, samples: noSamples, report: null, planned: 0, progress: null, failure: null, saved: null })
   await refreshStanding(id)
   const url = new URL(location.href)
   url.searchParams.set('project', id)
@@ -152,16 +139,33 @@ export function followVisibility(): void {
   })
 }
 
-/** Changes taken in one step. A stale revision (another tab was quicker) is read again and the step taken once more. */
+/** Whether a line would take the place of one that another page drew meanwhile, under the same name. */
+function takesPlace(changes: Change[], before: Edit[], now: Edit[]): boolean {
+  const drawn = (edits: Edit[]) => new Set(edits.map((e) => (e.edit === 'draw' ? e.element : '')))
+  const known = drawn(before)
+  const fresh = drawn(now)
+  return changes.some((c) => 'edit' in c && c.edit.edit === 'draw' && fresh.has(c.edit.element) && !known.has(c.edit.element))
+}
+
+/** Changes taken in one step. A stale revision (another tab was quicker) is read again and the step taken once more; one that the
+ * server was away for waits for it. False: it was not kept, and why was said. */
 export function edit(what: string, changes: Change[]): Promise<boolean> {
+  if (refusedWhileWaiting(what)) return Promise.resolve(false)
   return inTurn(async () => {
     const id = projectId()
+    const { revision } = session.now.standing!
     try {
-      await api.edit(id, session.now.standing!.revision, what, changes)
+      await api.edit(id, revision, what, changes)
     } catch (error) {
-      if (!(error instanceof Refusal) || error.status !== 409) throw error
-      const standing = await refreshStanding(id)
-      await api.edit(id, standing.revision, what, changes)
+      if (!(error instanceof Refusal)) throw error
+      if (error.isAway) await waitAndSend(id, revision, what, changes)
+      else if (error.status !== 409) throw error
+      else {
+        const { edits } = session.now.standing!
+        const newest = await refreshStanding(id)
+        if (takesPlace(changes, edits, newest.edits)) throw new Error(`"${what}" is lost: the same name was drawn elsewhere. Make it once more.`)
+        await api.edit(id, newest.revision, what, changes)
+      }
     }
     await refreshStanding(id)
     return true
@@ -170,7 +174,17 @@ export function edit(what: string, changes: Change[]): Promise<boolean> {
 
 export const setOption = (key: string, value: string) => edit(`${key} ${value || 'default'}`, [{ set: key, value }])
 
+async function waitAndSend(id: string, revision: number, what: string, changes: Change[]): Promise<void> {
+  try {
+    await sendWhenBack(id, revision, what, changes)
+  } finally {
+    newest = 0 // it may be another server, which counts from the beginning
+  }
+  if (!session.now.online && id === current) listen(id)
+}
+
 function move(where: 'undo' | 'redo'): Promise<unknown> {
+  if (refusedWhileWaiting(where)) return Promise.resolve()
   return inTurn(async () => {
     const { standing } = session.now
     if (!standing || standing[where].count === 0) return
@@ -187,14 +201,16 @@ function full(file: File): File {
   return file
 }
 
-/** A drawing takes the place of this project's when that is bare; else it becomes a project of its own. */
+/** Becomes a project of its own. */
 export function openFile(file: File): Promise<unknown> {
+  if (refusedWhileWaiting(`open ${file.name}`)) return Promise.resolve()
   return inTurn(async () => {
     const made = await api.create(file.name, full(file))
     await openProject(made.id)
   })
 }
 export function replaceDrawing(file: File): Promise<unknown> {
+  if (refusedWhileWaiting(`open ${file.name}`)) return Promise.resolve()
   return inTurn(async () => {
     const { standing } = session.now
     await api.source(standing!.id, standing!.revision, file.name, full(file))
@@ -202,14 +218,37 @@ export function replaceDrawing(file: File): Promise<unknown> {
   })
 }
 export function newSketch(): Promise<unknown> {
+  if (refusedWhileWaiting('new sketch')) return Promise.resolve()
   return inTurn(async () => openProject((await api.create('sketch', '')).id))
+}
+
+/** The project of that id, else the first one, else a new sketch. */
+async function openAny(wanted: string | null = null): Promise<void> {
+  const { projects } = await api.projects()
+  await openProject(projects.find((p) => p.id === wanted)?.id ?? projects[0]?.id ?? (await api.create('sketch', '')).id)
+}
+
+/** For good: whoever calls this has asked. The project that is open gives way to another. */
+export function deleteProject(id: string): Promise<unknown> {
+  if (refusedWhileWaiting(`delete ${id}`)) return Promise.resolve()
+  return inTurn(async () => {
+    if (id === current) events?.close()
+    try {
+      await api.remove(id)
+    } catch (error) {
+      if (id === current) listen(id)
+      throw error
+    }
+    if (id === current) await openAny()
+    notify(`${id} is deleted.`)
+  })
 }
 
 export async function begin(): Promise<void> {
   session.set({ about: await api.about() })
-  const wanted = new URL(location.href).searchParams.get('project')
-  const { projects } = await api.projects()
-  const id = projects.find((p) => p.id === wanted)?.id ?? projects[0]?.id ?? (await api.create('sketch', '')).id
-  await openProject(id)
+  await openAny(new URL(location.href).searchParams.get('project'))
   followVisibility()
+  window.addEventListener('beforeunload', (event) => {
+    if (session.now.waiting) event.preventDefault()
+  })
 }

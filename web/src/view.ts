@@ -4,6 +4,9 @@ import { Store } from './store'
 export type ToolName = 'select' | 'link' | 'shape' | 'start' | 'end' | 'entry' | 'fill' | 'cut' | 'field' | 'draw' | 'text' | 'erase'
 export type Tab = 'plan' | 'order' | 'settings' | 'changes'
 
+/** Buttons for what Escape (of what was begun, of what is chosen), Enter and Delete do. */
+export type Offer = 'cancel' | 'let-go' | 'finish' | 'delete'
+
 export interface ViewState {
   look: 'outline' | 'realistic'
   connections: 'shown' | 'arrows' | 'hidden'
@@ -14,6 +17,8 @@ export interface ViewState {
   grid: boolean
   tool: ToolName
   hint: string
+  /** What the tool can do now that keys do too: buttons beside the hint. */
+  offers: Offer[]
   tab: Tab
   panelOpen: boolean
   /** Ids of elements. */
@@ -44,6 +49,7 @@ export const view = new Store<ViewState>({
   grid: true,
   tool: 'select',
   hint: '',
+  offers: [],
   tab: 'plan',
   panelOpen: window.innerWidth > 720,
   selected: '',

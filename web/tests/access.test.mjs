@@ -33,6 +33,7 @@ for (const [name, size, options] of [
       const { violations } = await page.evaluate(() => window.axe.run())
       const serious = violations.filter((v) => v.impact === 'serious' || v.impact === 'critical')
       assert.deepEqual(serious.map((v) => [v.id, v.nodes[0].html, v.nodes[0].failureSummary]), [], tab)
+      assert.ok(!violations.some((v) => v.id === 'page-has-heading-one'), 'the page has a heading')
     }
     const wider = await page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth)
     assert.ok(!wider, 'nothing is wider than the page')

@@ -1,7 +1,7 @@
 // Projects: upload, export, save, reload, two tabs, a server that was killed.
 import assert from 'node:assert/strict'
 import { after, afterEach, before, beforeEach, test } from 'node:test'
-import { readFileSync, writeFileSync } from 'node:fs'
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { drag, edited, elements, openEditor, root, settled, standing, startBrowser, startServer, tempFolder } from './editor.mjs'
 
@@ -69,6 +69,18 @@ test('two tabs show the same project; a stale edit is taken up again', async () 
   await page.keyboard.press('d')
   await drag(page, [[2, 9], [3, 10], [4, 9]])
   await page.waitForFunction(() => window.strandline.session.now.standing.edits.length === 3)
+  // Not even that a line of that name was drawn: it does not take its place.
+  await settled(page, 4)
+  await page.evaluate(() => {
+    const { session } = window.strandline
+    const { standing, drawing } = session.now
+    const elements = drawing.elements.filter((e) => !e.id.startsWith('pen'))
+    session.set({ standing: { ...standing, revision: 1, edits: [] }, drawing: { ...drawing, elements } })
+  })
+  await drag(page, [[2, 8], [3, 9], [4, 8]])
+  await page.locator('.hint.notice').filter({ hasText: '"draw pen1" is lost' }).waitFor()
+  const kept = (await standing(page)).edits.filter((e) => e.edit === 'draw')
+  assert.deepEqual(kept.map((e) => [e.element, Math.round(e.paths[0][2])]), [['pen1', 11], ['pen2', 9]])
   await other.context().close()
 })
 
@@ -189,13 +201,25 @@ test('every export is a file with something in it', async () => {
 test('what an export takes for granted is said where it is saved', async () => {
   const download = await exported('geojson')
   assert.equal(download.suggestedFilename(), 'drawing.geojson')
-  const said = page.locator('.sheet').getByRole('status')
+  const said = page.getByRole('region', { name: 'Saved' })
   await said.getByText('latitude 0, longitude 0 is taken').waitFor()
   assert.match(await said.textContent(), /^drawing.geojson is saved, with 1 warning:/)
+  await page.locator('.sheet').waitFor({ state: 'detached' })
   await page.keyboard.press('Escape')
+  await said.waitFor({ state: 'detached' })
   // Nothing to say: the list is gone with the file.
   await exported('csv')
   await page.locator('.sheet').waitFor({ state: 'detached' })
+})
+
+test('Escape closes a list and leaves the tool in hand', async () => {
+  await page.keyboard.press('d')
+  await page.click('text=Export')
+  await page.locator('.sheet').waitFor()
+  await page.keyboard.press('Escape')
+  await page.locator('.sheet').waitFor({ state: 'detached' })
+  assert.equal(await page.evaluate(() => window.strandline.view.now.tool), 'draw')
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Export')
 })
 
 test('an export that is refused is said in words, and no file comes', async () => {
@@ -213,9 +237,13 @@ test('a sketch begins on bare sand and is drawn by hand', async () => {
   await page.click('text=New sketch')
   await page.waitForFunction(() => window.strandline.session.now.standing.id === 'sketch')
   await settled(page)
-  await page.getByRole('alert').waitFor()
-  await page.keyboard.press('d')
-  await page.waitForTimeout(100)
+  // Nothing is wrong with it: it is told what to begin with.
+  assert.equal(await page.locator('.status').textContent(), 'bare sand')
+  assert.equal(await page.getByRole('alert').count() + await page.locator('.bad').count(), 0)
+  await page.getByText('Bare sand: nothing is drawn yet. Draw with the pen').waitFor()
+  await page.locator('.hint').filter({ hasText: 'Bare sand: draw with the pen' }).waitFor()
+  await page.locator('.panel').getByRole('button', { name: 'Draw' }).click()
+  assert.equal(await page.evaluate(() => window.strandline.view.now.tool), 'draw')
   const box = await page.locator('.canvas').boundingBox()
   const now = await edited(page, async () => {
     await page.mouse.move(box.x + 200, box.y + 300)
@@ -225,4 +253,67 @@ test('a sketch begins on bare sand and is drawn by hand', async () => {
   })
   assert.equal(now.failure, null)
   assert.equal((await elements(page)).length, 1)
+  // Without its only line it is bare again, and nothing of the line is left.
+  await edited(page, () => page.click('button[aria-label^="undo"]'))
+  await page.waitForFunction(() => window.strandline.session.now.drawing.elements.length === 0)
+  assert.equal(await page.evaluate(() => window.strandline.session.now.drive), null)
+  await page.getByText('Bare sand: nothing').waitFor()
+  await edited(page, () => page.click('button[aria-label^="redo"]'))
+  assert.equal((await elements(page)).length, 1)
+})
+
+test('a broken drawing, or one without shapes, is refused with its place and becomes no project', async () => {
+  const refused = async (name, text, why) => {
+    const path = join(folder.path, name)
+    writeFileSync(path, text)
+    await page.click('text=Project')
+    await page.setInputFiles('input[type=file] >> nth=0', path)
+    await page.locator('.hint.notice').filter({ hasText: why }).waitFor()
+  }
+  await refused('torn.svg', '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0', 'torn.svg, line 1')
+  await refused('bare.svg', '<svg xmlns="http://www.w3.org/2000/svg"><g/></svg>', 'bare.svg: holds no shapes')
+  assert.equal((await standing(page)).id, 'drawing')
+  assert.deepEqual(readdirSync(folder.path).filter((name) => name.endsWith('.strandline')), ['drawing.strandline'])
+  assert.ok((await elements(page)).length > 3, 'what was open is open still')
+})
+
+const projectRow = (name) => page.locator('.sheet').getByRole('button', { name, exact: true })
+const opened = (p, id) => p.waitForFunction((wanted) => window.strandline.session.now.standing.id === wanted, id)
+const files = () => readdirSync(folder.path).filter((name) => name.endsWith('.strandline')).sort()
+
+test('a project is deleted from the list once it was asked for, and pages that have it open go to another', async () => {
+  await page.click('text=Project')
+  await page.click('text=New sketch')
+  await opened(page, 'sketch')
+  const other = await openEditor(browser, page.url())
+  await opened(other, 'sketch')
+  await page.click('text=Project')
+  await projectRow('Delete sketch').click()
+  const asked = page.getByRole('group', { name: 'Delete sketch?' })
+  await asked.getByRole('button', { name: 'Keep' }).click()
+  await asked.waitFor({ state: 'detached' })
+  assert.deepEqual(files(), ['drawing.strandline', 'sketch.strandline'])
+  await projectRow('Delete sketch').click()
+  await asked.getByRole('button', { name: 'Delete' }).click()
+  await opened(page, 'drawing')
+  assert.deepEqual(files(), ['drawing.strandline'])
+  await page.locator('.hint').filter({ hasText: 'sketch is deleted' }).waitFor()
+  await opened(other, 'drawing')
+  await other.locator('.hint').filter({ hasText: 'sketch was deleted' }).waitFor()
+  await settled(other)
+  assert.equal(await other.locator('.status').textContent(), 'saved')
+  await other.context().close()
+})
+
+test('a notice ends with its project', async () => {
+  await page.click('text=Project')
+  await page.click('text=New sketch')
+  await opened(page, 'sketch')
+  await page.click('text=Project')
+  await page.setInputFiles('input[type=file] >> nth=0', { name: 'notes.txt', mimeType: 'text/plain', buffer: Buffer.from('no drawing') })
+  await page.locator('.hint.notice').waitFor()
+  await page.click('text=Project')
+  await projectRow('drawing').click()
+  await opened(page, 'drawing')
+  assert.equal(await page.locator('.hint.notice').count(), 0)
 })

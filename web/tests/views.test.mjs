@@ -148,6 +148,21 @@ test('every setting of the API stands in the panel, with help; one can be set an
   assert.equal(now.robot.name, 'beachbot')
 })
 
+test('ranges are written as people write numbers', async () => {
+  await page.click('role=tab[name="Settings"]')
+  const ranges = await page.$$eval('.settings .range', (all) => all.map((e) => e.textContent))
+  assert.ok(ranges.some((range) => range.includes('100,000 m')), ranges.join())
+  for (const range of ranges) assert.doesNotMatch(range, /\de[-+]?\d|0 to 0 |NaN/, range)
+})
+
+test('warnings of the plan name no switch of the command line', async () => {
+  // The lighthouse has places that the robot cannot go round: one warning sums them up.
+  await page.click('role=tab[name="Plan"]')
+  const texts = await page.$$eval('.findings li', (all) => all.map((e) => e.textContent))
+  assert.ok(texts.some((text) => /^(avoid.finished|the drive)/.test(text)), texts.join('\n'))
+  for (const text of texts) assert.doesNotMatch(text, /\(?-v|--/, text)
+})
+
 test('a value that cannot be is refused in words, and nothing changes', async () => {
   await page.click('role=tab[name="Settings"]')
   const { revision } = await standing(page)

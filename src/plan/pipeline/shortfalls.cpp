@@ -18,7 +18,7 @@ void say_undrivable(Plan& plan) {
         {"the drive",
          fmt::format(
              "the rake cannot follow its path along {} spans, {:.2f} m together, the longest {:.2f} m near "
-             "({:.2f}, {:.2f}): it is lifted there in areas and beside its place on lines (-v lists all)",
+             "({:.2f}, {:.2f}): it is lifted there in areas and beside its place on lines",
              plan.undrivable.size(), sum, longest.amount, longest.at.x, longest.at.y)});
 }
 
@@ -36,7 +36,7 @@ void say_blemishes(Plan& plan) {
     plan.warnings.push_back(
         {"avoid.finished",
          fmt::format("at {} places no way round finished areas was found: {:.2f} m are driven too near to or "
-                     "over them, the longest {:.2f} m near ({:.2f}, {:.2f}) (-v lists all)",
+                     "over them, the longest {:.2f} m near ({:.2f}, {:.2f})",
                      places, sum, longest->amount, longest->at.x, longest->at.y)});
 }
 

@@ -179,8 +179,7 @@ void take_surroundings(Plan& plan) {
                          trespass.at.x, trespass.at.y, trespass.metres)});
     }
     if (named > most_named)
-        plan.warnings.push_back(
-            {"field", fmt::format("the same {} times more (-v lists all)", named - most_named)});
+        plan.warnings.push_back({"field", fmt::format("the same at {} more places", named - most_named)});
 }
 
 }  // namespace strandline::pipeline

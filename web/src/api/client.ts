@@ -25,6 +25,10 @@ export class Refusal extends Error {
   ) {
     super([error.place && `${error.place}: `, error.reason, error.remedy && `; ${error.remedy}`].join(''))
   }
+  /** Nobody answered: it may have come all the same. */
+  get isAway(): boolean {
+    return this.status === 0
+  }
 }
 
 async function ask(path: string, init?: RequestInit): Promise<Response> {
@@ -36,7 +40,7 @@ async function ask(path: string, init?: RequestInit): Promise<Response> {
       code: 'away',
       place: '',
       reason: 'the server does not answer',
-      remedy: 'start strandline serve again: nothing is lost',
+      remedy: 'start strandline serve again, then try once more',
     })
   }
   if (reply.ok) return reply
@@ -58,6 +62,9 @@ async function download(path: string): Promise<{ bytes: Blob; name: string; warn
   const warnings = reply.headers.get('Strandline-Warnings')?.split(' | ') ?? []
   return { bytes: await reply.blob(), name, warnings }
 }
+async function remove<T>(path: string): Promise<T> {
+  return (await (await ask(path, { method: 'DELETE' })).json()) as T
+}
 async function upload<T>(path: string, bytes: Blob | string): Promise<T> {
   const init = { method: 'POST', headers: { 'Content-Type': 'application/octet-stream' }, body: bytes }
   return (await (await ask(path, init)).json()) as T
@@ -69,6 +76,7 @@ export const api = {
   projects: () => get<Schemas['Projects']>('projects'),
   create: (title: string, bytes: Blob | string) =>
     upload<Schemas['Project']>(`projects?title=${encodeURIComponent(title)}`, bytes),
+  remove: (id: string) => remove<Schemas['Project']>(project(id)),
   standing: (id: string) => get<Standing>(project(id)),
   edit: (id: string, revision: number, what: string, changes: Change[]) =>
     post<Schemas['Revision']>(`${project(id)}/edits`, { revision, what, changes }),

@@ -8,14 +8,16 @@ import { metres } from './words'
 
 function Asked({ element, name, label, choices }: { element: Element; name: string; label: string; choices: string[] }) {
   const now = element.hints[name] ?? ''
-  const change = (value: string): Change => {
-    const hint = { edit: 'hint' as const, element: element.id, name, value }
-    return value ? { edit: hint } : { drop: hint }
+  /** What is refused does not stand there as if it held. */
+  const ask = async (list: HTMLSelectElement) => {
+    const hint = { edit: 'hint' as const, element: element.id, name, value: list.value }
+    const change: Change = list.value ? { edit: hint } : { drop: hint }
+    if (!(await edit(`${element.id}: ${name} ${list.value || 'default'}`, [change]))) list.value = now
   }
   return (
     <label class="field">
       {label}
-      <select value={now} onChange={(e) => edit(`${element.id}: ${name} ${e.currentTarget.value || 'default'}`, [change(e.currentTarget.value)])}>
+      <select value={now} onChange={(e) => void ask(e.currentTarget)}>
         <option value="">as set for all</option>
         {choices.map((choice) => (
           <option value={choice}>{choice}</option>
@@ -31,15 +33,16 @@ function Direction({ element }: { element: Element }) {
   const now = asked?.edit === 'direction' ? asked.direction : ''
   const choices = element.closed ? (['ccw', 'cw'] as const) : (['forward', 'backward'] as const)
   const words = { ccw: 'counter-clockwise', cw: 'clockwise', forward: 'as drawn', backward: 'backwards' }
-  const change = (value: string) => {
+  const change = async (list: HTMLSelectElement) => {
+    const { value } = list
     const direction = (value || choices[0]) as (typeof choices)[number]
     const turned = { edit: 'direction' as const, element: element.id, direction }
-    void edit(`${element.id} ${value || 'either way'}`, [value ? { edit: turned } : { drop: turned }])
+    if (!(await edit(`${element.id} ${value || 'either way'}`, [value ? { edit: turned } : { drop: turned }]))) list.value = now
   }
   return (
     <label class="field">
       Driven
-      <select value={now} onChange={(e) => change(e.currentTarget.value)}>
+      <select value={now} onChange={(e) => void change(e.currentTarget)}>
         <option value="">either way</option>
         {choices.map((choice) => (
           <option value={choice}>{words[choice]}</option>

@@ -1,7 +1,8 @@
-import { useState } from 'preact/hooks'
+import { useEffect, useState } from 'preact/hooks'
 import { api } from '../api/client'
 import { notify, projectId, session } from '../session'
 import { useStore } from '../store'
+import { Icon } from './icons'
 import { counted } from './words'
 
 /** Hands a file to the browser, which keeps it where it keeps what it downloads. */
@@ -14,20 +15,54 @@ function save(name: string, bytes: Blob): void {
   window.setTimeout(() => URL.revokeObjectURL(link.href), 60000)
 }
 
-/** Every format. The list closes when the file is saved, and stays where its writer has something to say. */
+/** What the writer of a file has to say, until it is put away or something else is saved. */
+export function SavedCard() {
+  const saved = useStore(session, (s) => s.saved)
+  const away = () => session.set({ saved: null })
+  useEffect(() => {
+    if (!saved) return
+    const escape = (event: KeyboardEvent) => event.key === 'Escape' && away()
+    window.addEventListener('keydown', escape)
+    return () => window.removeEventListener('keydown', escape)
+  }, [saved])
+  return (
+    <div role="status">
+      {saved && (
+        <section class="card saved" aria-label="Saved">
+          <header>
+            <span>
+              <b>{saved.name}</b> is saved, with {counted(saved.warnings.length, 'warning')}:
+            </span>
+            <button class="plain" aria-label="Put away" onClick={away}>
+              <Icon name="close" />
+            </button>
+          </header>
+          <ul class="findings">
+            {saved.warnings.map((warning) => (
+              <li class="warning">
+                <span>{warning}</span>
+              </li>
+            ))}
+          </ul>
+        </section>
+      )}
+    </div>
+  )
+}
+
+/** Every format. The list closes when the file is saved, and stays where that is refused: another may do. */
 export function ExportList({ close }: { close: () => void }) {
   const formats = useStore(session, (s) => s.about?.exports)
   const planned = useStore(session, (s) => s.drive !== null && !s.planning && s.failure === null)
   const [writing, setWriting] = useState('')
-  const [saved, setSaved] = useState<{ name: string; warnings: string[] } | null>(null)
   const write = async (format: string) => {
     setWriting(format)
-    setSaved(null)
+    session.set({ saved: null })
     try {
       const { bytes, name, warnings } = await api.exported(projectId(), format)
       save(name, bytes)
-      if (warnings.length === 0) return close()
-      setSaved({ name, warnings })
+      if (warnings.length > 0) session.set({ saved: { name, warnings } })
+      return close()
     } catch (error) {
       notify((error as Error).message)
     }
@@ -35,22 +70,6 @@ export function ExportList({ close }: { close: () => void }) {
   }
   return (
     <div>
-      <div role="status">
-        {saved && (
-          <>
-            <div class="caption">
-              <b>{saved.name}</b> is saved, with {counted(saved.warnings.length, 'warning')}:
-            </div>
-            <ul class="findings said">
-              {saved.warnings.map((warning) => (
-                <li class="warning">
-                  <span>{warning}</span>
-                </li>
-              ))}
-            </ul>
-          </>
-        )}
-      </div>
       {!planned && <div class="caption">The plan is not ready yet.</div>}
       {planned &&
         formats?.map((format) => (

@@ -76,8 +76,24 @@ export function showElement(id: string, show: Show): void {
   show(x / n, y / n)
 }
 
+/** Before the first line: what to begin with. */
+function BareSand() {
+  return (
+    <div>
+      <p class="quiet">Bare sand: nothing is drawn yet. Draw with the pen, write some words, or drop a drawing here.</p>
+      <button class="secondary" onClick={() => view.set({ tool: 'draw' })}>
+        Draw
+      </button>{' '}
+      <button class="secondary" onClick={() => view.set({ tool: 'text' })}>
+        Write
+      </button>
+    </div>
+  )
+}
+
 export function PlanPanel({ show }: { show: Show }) {
-  const { drive, report, failure, drawing, about } = useStore(session, (s) => s)
+  const { drive, report, failure, drawing, about, standing } = useStore(session, (s) => s)
+  if (standing?.bare) return <BareSand />
   if (failure)
     return (
       <div class="failure" role="alert">

@@ -3,7 +3,7 @@ import type { Setting } from '../api/client'
 import { edit, session, setOption } from '../session'
 import { useStore } from '../store'
 import { view } from '../view'
-import { spoken } from './words'
+import { spoken, written } from './words'
 
 const names: Record<string, string> = {
   canvas: 'Canvas and margin',
@@ -49,8 +49,7 @@ function shown(field: FieldShape): string {
 function range(field: FieldShape): string {
   if (field.low === undefined || field.high === undefined) return ''
   const f = field.kind === 'angle' ? 180 / Math.PI : 1
-  const text = (n: number) => (Math.abs(n) >= 1e5 ? n.toExponential(0) : `${+n.toFixed(4)}`)
-  return `${text(field.low * f)} to ${text(field.high * f)}`
+  return `${written(field.low * f)} to ${written(field.high * f)}`
 }
 
 function Field({ field }: { field: FieldShape }) {
@@ -70,15 +69,23 @@ function Field({ field }: { field: FieldShape }) {
     return setOption(field.key, field.kind === 'angle' && /^[-+.\de]+$/i.test(text) ? `${text}deg` : text)
   }
   /** What is refused does not stand there as if it held. */
-  const sendText = async (input: HTMLInputElement) => {
-    if (!(await send(input.value))) input.value = shown(field)
+  const sendOr = async (value: string, back: () => void) => {
+    if (!(await send(value))) back()
   }
   let control
+  const on = ['on', 'true', '1'].includes(field.value)
   if (field.kind === 'on or off' || field.unit === 'true/false')
-    control = <input id={id} type="checkbox" checked={['on', 'true', '1'].includes(field.value)} onChange={(e) => void send(e.currentTarget.checked ? 'on' : 'off')} />
+    control = (
+      <input
+        id={id}
+        type="checkbox"
+        checked={on}
+        onChange={({ currentTarget: box }) => void sendOr(box.checked ? 'on' : 'off', () => (box.checked = on))}
+      />
+    )
   else if (field.choices)
     control = (
-      <select id={id} value={field.value} onChange={(e) => void send(e.currentTarget.value)}>
+      <select id={id} value={field.value} onChange={({ currentTarget: list }) => void sendOr(list.value, () => (list.value = field.value))}>
         {field.choices.map((choice) => (
           <option value={choice}>{choice}</option>
         ))}
@@ -93,7 +100,7 @@ function Field({ field }: { field: FieldShape }) {
           inputMode={field.kind === 'text' ? 'text' : 'decimal'}
           value={shown(field)}
           aria-describedby={`${id}-help`}
-          onChange={(e) => void sendText(e.currentTarget)}
+          onChange={({ currentTarget: input }) => void sendOr(input.value, () => (input.value = shown(field)))}
         />
         <span class="unit">{unit}</span>
       </span>

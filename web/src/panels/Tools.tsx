@@ -4,7 +4,9 @@ import type { Pose } from '../plan/shapes'
 import { edit, session } from '../session'
 import { useStore } from '../store'
 import { toolList } from '../tools/tools'
+import type { Offer } from '../view'
 import { view } from '../view'
+import { dropWaiting } from '../waiting'
 import { Icon } from './icons'
 
 export function ToolRail({ fit }: { fit: () => void }) {
@@ -185,12 +187,28 @@ function FieldOptions() {
   )
 }
 
-export function HintLine() {
-  const hint = useStore(view, (v) => v.hint)
-  const notice = useStore(session, (s) => s.notice)
+const offered: Record<Offer, string> = { cancel: 'Cancel', 'let-go': 'Let go', finish: 'Close it', delete: 'Delete' }
+
+/** What to do next, or what happened; beside it as buttons what Escape, Enter and Delete do. */
+export function HintLine({ take }: { take: (offer: Offer) => void }) {
+  const { hint, offers } = useStore(view, (v) => v)
+  const { notice, waiting } = useStore(session, (s) => s)
+  const waits = waiting && `The server is away. "${waiting}" waits here and is sent when strandline serve runs again: leave this page open.`
   return (
-    <div class={notice ? 'hint notice' : 'hint'} role="status">
-      {notice || hint}
+    <div class="foot">
+      <div class={notice || waits ? 'hint notice' : 'hint'} role="status">
+        {notice || waits || hint}
+      </div>
+      {waits && (
+        <button class="secondary" onClick={dropWaiting}>
+          Drop it
+        </button>
+      )}
+      {offers.map((offer) => (
+        <button class={offer === 'delete' ? 'secondary danger' : 'secondary'} onClick={() => take(offer)}>
+          {offered[offer]}
+        </button>
+      ))}
     </div>
   )
 }

@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks'
 import type { ComponentChildren } from 'preact'
 import { api } from '../api/client'
-import { newSketch, notify, openFile, openProject, projectId, redo, replaceDrawing, session, undo } from '../session'
+import { deleteProject, newSketch, notify, openFile, openProject, projectId, redo, replaceDrawing, session, undo } from '../session'
 import { useStore } from '../store'
 import { view } from '../view'
 import type { ViewState } from '../view'
@@ -14,14 +14,20 @@ function Menu({ label, icon, children }: { label: string; icon: string; children
   const box = useRef<HTMLDivElement>(null)
   useEffect(() => {
     if (!open) return
-    const away = (event: Event) => {
-      if (event instanceof KeyboardEvent ? event.key === 'Escape' : !box.current?.contains(event.target as Node)) setOpen(false)
+    const away = (event: PointerEvent) => {
+      if (!box.current?.contains(event.target as Node)) setOpen(false)
+    }
+    const escape = (event: KeyboardEvent) => {
+      if (event.key !== 'Escape') return
+      event.stopPropagation() // the tool in hand stays
+      setOpen(false)
+      box.current?.querySelector('button')?.focus()
     }
     window.addEventListener('pointerdown', away)
-    window.addEventListener('keydown', away)
+    window.addEventListener('keydown', escape, { capture: true })
     return () => {
       window.removeEventListener('pointerdown', away)
-      window.removeEventListener('keydown', away)
+      window.removeEventListener('keydown', escape, { capture: true })
     }
   }, [open])
   return (
@@ -37,28 +43,53 @@ function Menu({ label, icon, children }: { label: string; icon: string; children
 
 function ProjectList({ close }: { close: () => void }) {
   const [projects, setProjects] = useState<string[]>([])
+  /** The one that is asked about. */
+  const [going, setGoing] = useState('')
   useEffect(() => {
     api
       .projects()
       .then((list) => setProjects(list.projects.map((p) => p.id)))
       .catch((error: Error) => notify(error.message))
   }, [])
-  if (projects.length < 2) return null
   return (
     <>
       <div class="caption">In this folder</div>
-      {projects.map((id) => (
-        <button
-          class="row"
-          aria-current={id === projectId()}
-          onClick={() => {
-            openProject(id).catch((error: Error) => notify(error.message))
-            close()
-          }}
-        >
-          {id}
-        </button>
-      ))}
+      {projects.map((id) =>
+        id === going ? (
+          <div class="row asked" role="group" aria-label={`Delete ${id}?`}>
+            <span>Delete {id} for good?</span>
+            <span class="gap" />
+            <button
+              class="secondary danger"
+              onClick={() => {
+                void deleteProject(id)
+                close()
+              }}
+            >
+              Delete
+            </button>
+            <button class="secondary" onClick={() => setGoing('')}>
+              Keep
+            </button>
+          </div>
+        ) : (
+          <div class="project">
+            <button
+              class="row"
+              aria-current={id === projectId()}
+              onClick={() => {
+                openProject(id).catch((error: Error) => notify(error.message))
+                close()
+              }}
+            >
+              {id}
+            </button>
+            <button class="plain" aria-label={`Delete ${id}`} title={`Delete ${id}`} onClick={() => setGoing(id)}>
+              <Icon name="bin" />
+            </button>
+          </div>
+        ),
+      )}
     </>
   )
 }
@@ -167,7 +198,7 @@ export function TopBar() {
   return (
     <header class="topbar">
       <div class="title">
-        <b>{standing?.title ?? 'Strandline'}</b>
+        <h1>{standing?.title ?? 'Strandline'}</h1>
         <Status />
       </div>
       <ProjectMenu />
@@ -188,9 +219,10 @@ export function TopBar() {
 
 /** What is going on, in a word. */
 function Status() {
-  const { planning, progress, failure, online } = useStore(session, (s) => s)
+  const { planning, progress, failure, online, standing } = useStore(session, (s) => s)
   if (!online) return <span class="status bad">server away</span>
   if (planning) return <span class="status busy">planning{progress ? `: ${progress.what}` : ''}</span>
+  if (standing?.bare) return <span class="status">bare sand</span>
   if (failure) return <span class="status bad">no plan</span>
   return <span class="status">saved</span>
 }

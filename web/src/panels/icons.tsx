@@ -22,6 +22,7 @@ const lines: Record<string, string> = {
   panel: 'M4 5h16v14H4zM15 5v14',
   open: 'M3 19V5h6l2 2h10v12zM3 11h18',
   export: 'M12 3v12M7 10l5 5 5-5M4 20h16',
+  bin: 'M5 7h14M9 7V4h6v3M7 7l1 13h8l1-13M10.5 11v5M13.5 11v5',
   close: 'M6 6l12 12M18 6L6 18',
   drag: 'M9 5v.01M15 5v.01M9 12v.01M15 12v.01M9 19v.01M15 19v.01',
 }

@@ -5,23 +5,36 @@ import { palette } from '../canvas/palette'
 import { api } from '../api/client'
 import { edit, notify, session } from '../session'
 import { view } from '../view'
-import { metres, Tool } from './tool'
+import { metres, press, Tool } from './tool'
 
 type Path = (string | number)[]
 
+/** Elements that are on their way to the server. */
+const sending = new Set<string>()
+
 /** A name that no element and no edit has. */
 function freshId(word: string): string {
-  const taken = new Set(session.now.drawing?.elements.map((e) => e.id))
+  const taken = new Set([...sending, ...(session.now.drawing?.elements.map((e) => e.id) ?? [])])
   for (const e of session.now.standing?.edits ?? []) if (e.edit === 'draw') taken.add(e.element)
   let number = 1
   while (taken.has(`${word}${number}`)) number++
   return `${word}${number}`
 }
 
+/** One element more; gives whether it is kept. */
+async function drawn(what: string, element: string, paths: Path[], pins: number, smooth: number): Promise<boolean> {
+  sending.add(element)
+  const kept = await edit(what, [{ edit: { edit: 'draw', element, paths, pins, smooth } }])
+  sending.delete(element)
+  return kept
+}
+
 /** Pen or finger: the line is smoothed, and closed where its ends meet. */
 export class DrawTool extends Tool {
   readonly name = 'draw'
   private points: Point[] = []
+  /** Lines that the server has not answered for. */
+  private sent: Point[][] = []
   hint(): string {
     return 'Draw with pen, finger or mouse. A line that ends where it began is closed.'
   }
@@ -43,14 +56,18 @@ export class DrawTool extends Tool {
     if (closed) path.push('L', path[1], path[2], 'Z')
     const { pins, smooth } = view.now.pen
     const element = freshId('pen')
-    void edit(`draw ${element}`, [{ edit: { edit: 'draw', element, paths: [path], pins, smooth } }])
+    this.sent.push(points)
+    void drawn(`draw ${element}`, element, [path], pins, smooth).then((kept) => {
+      this.sent = this.sent.filter((line) => line !== points)
+      if (!kept) this.stage.refresh() // else when it is planned: it does not flicker
+    })
   }
   reset(): void {
     this.points = []
     this.say()
   }
   paint(ctx: CanvasRenderingContext2D): void {
-    if (this.points.length > 1) this.line(ctx, this.points, palette.ink, 2.5)
+    for (const line of [...this.sent, this.points]) if (line.length > 1) this.line(ctx, line, palette.ink, 2.5)
   }
 }
 
@@ -60,7 +77,7 @@ export class TextTool extends Tool {
   private at: Point | null = null
   private size = { width: 0, height: 0, key: '' }
   hint(): string {
-    return 'Write above, then click where the words are to stand (their lower left corner).'
+    return `Write above, then ${press().toLowerCase()} where the words are to stand (their lower left corner).`
   }
   hover(at: Stroke): void {
     this.at = at.world
@@ -92,7 +109,7 @@ export class TextTool extends Tool {
       const element = freshId('text')
       const moved = paths.map((path) => movedTo(path, at))
       const pins = view.now.pen.pins
-      await edit(`write "${wish.text.slice(0, 24)}"`, [{ edit: { edit: 'draw', element, paths: moved, pins, smooth: 0 } }])
+      await drawn(`write "${wish.text.slice(0, 24)}"`, element, moved, pins, 0)
     } catch (error) {
       notify(error instanceof Error ? error.message : String(error))
     }

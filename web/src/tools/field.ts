@@ -7,8 +7,9 @@ import { between, borderSet, boxOf, endDropped, endOf, endSet, fencesOf, gripAt,
 import type { End, Fence, Grip } from '../plan/fences'
 import type { Pose } from '../plan/shapes'
 import { edit, session } from '../session'
+import type { Offer } from '../view'
 import { view } from '../view'
-import { Tool } from './tool'
+import { byKey, press, Tool } from './tool'
 
 const handle = 38 // pixels from a pose to the handle that turns it
 const dragged = 6 // pixels
@@ -47,11 +48,16 @@ export class FieldTool extends Tool {
   }
   hint(): string {
     const { what, corner } = view.now.field
-    if (this.corners.length > 2) return 'Click the next corner; the first one, or Enter, closes it. Escape drops it.'
-    if (this.corners.length > 0) return 'Click the next corner. Escape drops it.'
-    if (corner) return 'Drag the corner to move it; Delete takes it out. A keep-out is moved by its inside.'
+    if (this.corners.length > 2) return `${press()} the next corner; the first one closes it.${byKey('Enter does too; Escape drops it.')}`
+    if (this.corners.length > 0) return `${press()} the next corner.${byKey('Escape drops it.')}`
+    if (corner) return `Drag the corner to move it.${byKey('Delete takes it out.')} A keep-out is moved by its inside.`
     if (what === 'park' || what === 'exit') return `Press ${names[what]} and drag to where it looks; drag its point or its arrow to change it.`
-    return `Drag a box, or click corner by corner, for ${names[what]}. Corners, middles of edges and keep-outs can be dragged.`
+    return `Drag a box, or ${press().toLowerCase()} corner by corner, for ${names[what]}. Corners, middles of edges and keep-outs can be dragged.`
+  }
+  override offers(): Offer[] {
+    if (this.corners.length > 2) return ['finish', 'cancel']
+    if (this.corners.length > 0) return ['cancel']
+    return view.now.field.corner ? ['let-go'] : []
   }
   private fences(): Fence[] {
     return this.trial ?? fencesOf(settings(), session.now.drawing)
@@ -136,6 +142,7 @@ export class FieldTool extends Tool {
   /** The corners put so far are all. */
   override finish(): void {
     if (this.corners.length > 2) this.draw(this.corners)
+    this.say()
   }
   private draw(fence: Fence): void {
     const { what } = view.now.field

@@ -5,7 +5,7 @@ import type { Point } from '../canvas/camera'
 import { palette } from '../canvas/palette'
 import { edit, session } from '../session'
 import { view } from '../view'
-import { metres, Tool } from './tool'
+import { metres, press, Tool } from './tool'
 
 const hint = (element: string, name: string, value: string): Change => ({ edit: { edit: 'hint', element, name, value } })
 const asked = (element: string, name: string): string =>
@@ -20,8 +20,8 @@ export class FillTool extends Tool {
 
   hint(): string {
     if (this.from) return `Let go: lines of ${this.element} run that way.`
-    const what = view.now.fill.whole ? 'area' : 'segment of an area'
-    return `Click an ${what} to fill it in the style chosen above; drag inside it to give its lines a direction.`.replace('an segment', 'a segment')
+    const what = view.now.fill.whole ? 'an area' : 'a segment of an area'
+    return `${press()} ${what} to fill it in the style chosen above; drag inside it to give its lines a direction.`
   }
   hover(at: Stroke): void {
     view.set({ hovered: this.elementAt(at, true) })

@@ -4,7 +4,8 @@ import { palette } from '../canvas/palette'
 import { allPlaces, nearestPlace } from '../plan/nodes'
 import type { Place } from '../plan/nodes'
 import { edit, session } from '../session'
-import { Tool } from './tool'
+import type { Offer } from '../view'
+import { byKey, press, Tool } from './tool'
 
 /** Change connection: from a node to a node of another element. What is possible is shown; the new one replaces the old. */
 export class LinkTool extends Tool {
@@ -15,8 +16,11 @@ export class LinkTool extends Tool {
   private dragged = false
 
   hint(): string {
-    if (!this.from) return 'Click the node where an element is left.'
-    return `From ${this.from.element}: click the node where the next element is entered. Escape starts over.`
+    if (!this.from) return `${press()} the node where an element is left.`
+    return `From ${this.from.element}: ${press().toLowerCase()} the node where the next element is entered.${byKey('Escape starts over.')}`
+  }
+  override offers(): Offer[] {
+    return this.from ? ['cancel'] : []
   }
   private places(): Place[] {
     const { drawing, drive, samples } = session.now

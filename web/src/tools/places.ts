@@ -3,14 +3,14 @@ import { palette } from '../canvas/palette'
 import { allPlaces, nearestPlace } from '../plan/nodes'
 import type { Place } from '../plan/nodes'
 import { edit, session } from '../session'
-import { metres, Tool } from './tool'
+import { metres, press, Tool } from './tool'
 
 /** A place that the drive begins or ends near. */
 abstract class DriveEndTool extends Tool {
   abstract override readonly name: 'start' | 'end'
   private at: Stroke | null = null
   hint(): string {
-    return `Click where the drive is to ${this.name === 'start' ? 'begin' : 'end'}: the nearest suitable node is taken.`
+    return `${press()} where the drive is to ${this.name === 'start' ? 'begin' : 'end'}: the nearest suitable node is taken.`
   }
   hover(at: Stroke): void {
     this.at = at
@@ -46,8 +46,8 @@ export class EntryTool extends Tool {
   private under: Place | null = null
   hint(): string {
     return this.under
-      ? `Click: ${this.under.element} is entered here.`
-      : 'Click a node: there its line is entered. Closed lines have many, open ones their two ends.'
+      ? `${press()}: ${this.under.element} is entered here.`
+      : `${press()} a node: there its line is entered. Closed lines have many, open ones their two ends.`
   }
   private places(): Place[] {
     const { drawing, drive, samples } = session.now

@@ -1,15 +1,18 @@
 import type { Stroke } from '../canvas/gestures'
-import { edit } from '../session'
+import { edit, session } from '../session'
+import type { Offer } from '../view'
 import { view } from '../view'
-import { Tool } from './tool'
+import { byKey, press, Tool } from './tool'
 
 export class SelectTool extends Tool {
   readonly name = 'select'
   hint(): string {
-    if (view.now.selected) return 'Delete erases it, Escape lets go. What it is to be stands in the panel.'
-    return matchMedia('(pointer: coarse)').matches
-      ? 'Tap an element. Two fingers move and zoom.'
-      : 'Click an element. Right-drag or space-drag moves the view, the wheel zooms, 0 shows all.'
+    if (view.now.selected) return `What ${view.now.selected} is to be stands in the panel.${byKey('Delete erases it, Escape lets go.')}`
+    if (session.now.standing?.bare) return 'Bare sand: draw with the pen, write some words, or drop a drawing here.'
+    return `${press()} an element. ${byKey('Right-drag or space-drag moves the view, the wheel zooms, 0 shows all.').trim() || 'Two fingers move and zoom.'}`
+  }
+  override offers(): Offer[] {
+    return view.now.selected ? ['delete', 'let-go'] : []
   }
   down(at: Stroke): void {
     view.set({ selected: this.elementAt(at) })
@@ -33,7 +36,7 @@ export class EraseTool extends Tool {
   readonly name = 'erase'
   private marked = new Set<string>()
   hint(): string {
-    return 'Click an element, or drag across several, to take them out of the drawing. Undo brings them back.'
+    return `${press()} an element, or drag across several, to take them out of the drawing. Undo brings them back.`
   }
   hover(at: Stroke): void {
     view.set({ hovered: this.elementAt(at) })

@@ -6,8 +6,9 @@ import { palette } from '../canvas/palette'
 import { asRows, mostPoses, nameOf, posesOf, same, shaped, tieOf, tripsOf } from '../plan/shapes'
 import type { Pose, Trip } from '../plan/shapes'
 import { edit, notify, projectId, session } from '../session'
+import type { Offer } from '../view'
 import { view } from '../view'
-import { Tool } from './tool'
+import { byKey, press, Tool } from './tool'
 
 const handle = 38 // pixels from a point to the handle that turns it
 
@@ -45,10 +46,13 @@ export class ShapeTool extends Tool {
   }
   hint(): string {
     const { shape } = view.now
-    if (!shape) return 'Click a drive between two elements, or between two places of an area.'
+    if (!shape) return `${press()} a drive between two elements, or between two places of an area.`
     if (this.trial?.refused) return this.trial.refused
-    if (shape.pose >= 0) return 'Drag the point to move it, its arrow to turn it; Delete takes it out. Escape lets go.'
+    if (shape.pose >= 0) return `Drag the point to move it, its arrow to turn it.${byKey('Delete takes it out, Escape lets go.')}`
     return `${shape.hop ? `Within ${shape.from}` : `From ${shape.from} to ${shape.to}`}: drag the line where it is to run elsewhere.`
+  }
+  override offers(): Offer[] {
+    return view.now.shape ? ['let-go'] : []
   }
   private trips(): Trip[] {
     const { drawing, drive, samples } = session.now

@@ -4,15 +4,24 @@ import type { Stage } from '../canvas/stage'
 import type { Point } from '../canvas/camera'
 import { toScreen } from '../canvas/camera'
 import { session } from '../session'
-import type { ToolName } from '../view'
+import type { Offer, ToolName } from '../view'
 import { view } from '../view'
 import { palette } from '../canvas/palette'
+
+/** Fingers tap and have no keys: what keys do is beside the hint as buttons. */
+const byFinger = matchMedia('(pointer: coarse)')
+export const press = () => (byFinger.matches ? 'Tap' : 'Click')
+export const byKey = (sentence: string) => (byFinger.matches ? '' : ` ${sentence}`)
 
 export abstract class Tool implements Hand {
   abstract readonly name: ToolName
   constructor(protected readonly stage: Stage) {}
   /** What to do next, for the hint line. */
   abstract hint(): string
+  /** What can be done now with what was begun or chosen, other than on the canvas. */
+  offers(): Offer[] {
+    return []
+  }
   down(_at: Stroke): void {}
   move(_at: Stroke): void {}
   up(_at: Stroke): void {}
@@ -31,7 +40,7 @@ export abstract class Tool implements Hand {
   paint(_ctx: CanvasRenderingContext2D): void {}
 
   protected say(): void {
-    view.set({ hint: this.hint() })
+    view.set({ hint: this.hint(), offers: this.offers() })
     this.stage.refresh()
   }
   protected elementAt(at: Stroke, areasOnly = false): string {

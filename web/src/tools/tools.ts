@@ -1,8 +1,8 @@
 import type { Hand, Stroke } from '../canvas/gestures'
 import { isTyping } from '../canvas/gestures'
 import type { Stage } from '../canvas/stage'
-import { redo, undo } from '../session'
-import type { ToolName } from '../view'
+import { redo, session, undo } from '../session'
+import type { Offer, ToolName } from '../view'
 import { view } from '../view'
 import { CutTool, FillTool } from './fill'
 import { DrawTool, TextTool } from './draw'
@@ -38,10 +38,13 @@ export class Toolbox implements Hand {
     stage.overlay = (ctx) => this.tool.paint(ctx)
     view.listen((now, before) => {
       if (now.tool !== before.tool) this.changed(before.tool)
-      else if (now.fill !== before.fill) view.set({ hint: this.tool.hint() })
+      else if (now.fill !== before.fill || now.selected !== before.selected) this.say()
+    })
+    session.listen((now, before) => {
+      if (now.standing?.bare !== before.standing?.bare) this.say()
     })
     stage.host.dataset.tool = view.now.tool
-    view.set({ hint: this.tool.hint() })
+    this.say()
     window.addEventListener('keydown', (event) => this.key(event))
   }
   private get tool(): Tool {
@@ -50,8 +53,22 @@ export class Toolbox implements Hand {
   private changed(before: ToolName): void {
     this.tools[before].reset()
     this.stage.host.dataset.tool = view.now.tool
-    view.set({ hovered: '', hint: this.tool.hint() })
+    view.set({ hovered: '' })
+    this.say()
     this.stage.refresh()
+  }
+  private say(): void {
+    view.set({ hint: this.tool.hint(), offers: this.tool.offers() })
+  }
+  /** The buttons beside the hint. */
+  take(offer: Offer): void {
+    if (offer === 'delete') this.erase()
+    else if (offer === 'finish') this.tool.finish()
+    else this.tool.reset()
+    this.say()
+  }
+  private erase(): void {
+    if (!this.tool.erase() && view.now.selected) void eraseElement(view.now.selected)
   }
   down = (at: Stroke) => this.tool.down(at)
   move = (at: Stroke) => this.tool.move(at)
@@ -77,9 +94,7 @@ export class Toolbox implements Hand {
       void (key === 'y' || event.shiftKey ? redo() : undo())
     }
     if (command || event.altKey) return
-    if (key === 'delete' || key === 'backspace') {
-      if (!this.tool.erase() && view.now.selected) void eraseElement(view.now.selected)
-    }
+    if (key === 'delete' || key === 'backspace') this.erase()
     if (key === 'enter') this.tool.finish()
     if (key === '0') this.stage.fit()
     if (key === 'g') view.set({ grid: !view.now.grid })
