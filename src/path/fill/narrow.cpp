@@ -121,8 +121,33 @@ Axis narrow_axis(const Regions& plain, const Regions& bare, const NarrowParts& n
     return contracted(std::move(axis), thinning * width);
 }
 
+/// What pins about the middle of an arm leave bare or rake outside, m^2 in all: at each place the number that
+/// fits best of those that lie evenly about it, `fewest`, two more, and so on.
+double misfit(const Axis& axis, const std::vector<int>& nodes, int fewest, const Options& options) {
+    const double pitch = options.width / options.pins;
+    double sum = 0;
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+        const MedialAxis::Node &a = axis.nodes[nodes[i - 1]], &b = axis.nodes[nodes[i]];
+        const double wide = a.radius + b.radius;
+        const double pins = std::clamp(fewest + 2 * std::round((wide / pitch - fewest) / 2),
+                                       static_cast<double>(fewest), static_cast<double>(options.pins));
+        sum += distance(a.at, b.at) * std::abs(wide - pins * pitch);
+    }
+    return sum;
+}
+
+/// Single pins can be lifted: is the part better served half a pitch beside its middle?
+double aside_of(const Axis& axis, const std::vector<int>& nodes, const Options& options) {
+    if (!options.masked || options.pins < 2) return 0;
+    const int centred = options.pins % 2 == 0 ? 2 : 1, beside = 3 - centred;
+    return misfit(axis, nodes, beside, options) < misfit(axis, nodes, centred, options)
+               ? options.width / options.pins / 2
+               : 0;
+}
+
 Arm arm_of(const Axis& axis, const Trail& trail, const Region& region, const NarrowParts& narrow,
-           const std::map<std::pair<int, int>, double>& openings, double width) {
+           const std::map<std::pair<int, int>, double>& openings, const Options& options) {
+    const double width = options.width;
     Arm arm;
     std::vector<int> nodes = trail.nodes;
     const auto opening = [&](std::size_t i) { return openings.at(std::minmax({nodes[i], nodes[i + 1]})); };
@@ -144,6 +169,7 @@ Arm arm_of(const Axis& axis, const Trail& trail, const Region& region, const Nar
         arm.least = std::min(arm.least, 2 * axis.nodes[node].radius);
         arm.most = std::max(arm.most, 2 * axis.nodes[node].radius);
     }
+    arm.aside = aside_of(axis, nodes, options);
     arm.line = thinned(arm.line, thinning * width);
     const double whole = length(arm.line), back = std::max(0.0, width / 2 - overlap * width);
     if (trail.cut_start && trail.cut_end && whole > 2 * back + overlap * width)
@@ -191,7 +217,8 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
                     return away_from(narrow.bodies[k], axis.nodes[node].at) < axis_step * w;
                 });
             });
-    for (const Trail& trail : trails) narrow.arms.push_back(arm_of(axis, trail, region, narrow, openings, w));
+    for (const Trail& trail : trails)
+        narrow.arms.push_back(arm_of(axis, trail, region, narrow, openings, options));
     std::vector<Polyline> lines;
     for (const Arm& arm : narrow.arms) lines.push_back(arm.line);
     for (int k = 0; k < bodies; ++k)
@@ -255,7 +282,8 @@ std::vector<Pass> with_arms(std::vector<Pass> passes, const NarrowParts& narrow,
     const auto rake_arm = [&](int k, int towards, bool beyond) {
         const Arm& arm = narrow.arms[k - bodies];
         if (arm.line.empty()) return;
-        Polyline line = towards != Arm::free && arm.start == towards ? reversed(arm.line) : arm.line;
+        const Polyline middle = moved_aside(arm.line, arm.aside);
+        const Polyline line = towards != Arm::free && arm.start == towards ? reversed(middle) : middle;
         Polyline way;  // there is none but through the arm, when nothing lies beyond it
         if (!beyond && !ordered.empty()) way.assign(line.rbegin(), line.rend() - 1);
         ordered.push_back({std::move(way), rounded(line, options.round_corners ? options.turn_radius : 0)});

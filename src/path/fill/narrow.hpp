@@ -14,6 +14,9 @@ struct Arm {
     /// bodies and its number), or free.
     int start = free, end = free;
     double least = 0, most = 0;  ///< metres: how wide the part is
+    /// Metres left of the line that the rake's middle is driven: half a pitch where pins between the part's
+    /// borders are an even number of an odd one, or the other way round.
+    double aside = 0;
 };
 struct NarrowParts {
     Regions bodies;             ///< where the rake's centre fits, coarse: tolerance width/50
