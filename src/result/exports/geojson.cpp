@@ -123,7 +123,7 @@ void add_runs(Collection& out, const Plan& plan) {
         Polyline robot, rake;
         for (std::size_t i = run.first; i <= run.last; ++i) {
             robot.push_back(plan.samples[i].pose.at);
-            rake.push_back(drawn_at(plan.robot, plan.samples[i], run.mask));
+            rake.push_back(plan.samples[i].rake);
         }
         const auto common = [&] {
             out.member("stroke", run.stroke);
