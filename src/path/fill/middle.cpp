@@ -57,23 +57,6 @@ Polyline thinned(const Polyline& line, double tolerance) {
     return kept;
 }
 
-Polyline moved_aside(const Polyline& line, double left) {
-    constexpr double sharpest = 0.5;  // cosine of half a turn: mitres of sharper ones end there
-    const std::size_t n = line.size();
-    if (left == 0 || n < 2) return line;
-    const bool closed = n > 2 && line.front() == line.back();
-    const Point before = closed ? line[n - 2] : 2 * line[0] - line[1],
-                after = closed ? line[1] : 2 * line[n - 1] - line[n - 2];
-    Polyline moved;
-    for (std::size_t i = 0; i < n; ++i) {
-        const Point in = left_normal(normalized(line[i] - (i > 0 ? line[i - 1] : before))),
-                    out = left_normal(normalized((i + 1 < n ? line[i + 1] : after) - line[i])),
-                    across = normalized(in + out);
-        moved.push_back(line[i] + left / std::max(sharpest, dot(across, in)) * across);
-    }
-    return moved;
-}
-
 Polyline rounded(const Polyline& line, double radius) {
     constexpr double least_turn = 0.1, arc_step = 0.15;  // rad
     if (radius <= 0 || line.size() < 3) return line;

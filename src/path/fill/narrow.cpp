@@ -5,8 +5,6 @@
 #include <map>
 #include <set>
 
-#include "path/fill/trails.hpp"
-
 namespace strandline::fill {
 namespace {
 
@@ -119,30 +117,6 @@ Axis narrow_axis(const Regions& plain, const Regions& bare, const NarrowParts& n
         }
     }
     return contracted(std::move(axis), thinning * width);
-}
-
-/// What pins about the middle of an arm leave bare or rake outside, m^2 in all: at each place the number that
-/// fits best of those that lie evenly about it, `fewest`, two more, and so on.
-double misfit(const Axis& axis, const std::vector<int>& nodes, int fewest, const Options& options) {
-    const double pitch = options.width / options.pins;
-    double sum = 0;
-    for (std::size_t i = 1; i < nodes.size(); ++i) {
-        const MedialAxis::Node &a = axis.nodes[nodes[i - 1]], &b = axis.nodes[nodes[i]];
-        const double wide = a.radius + b.radius;
-        const double pins = std::clamp(fewest + 2 * std::round((wide / pitch - fewest) / 2),
-                                       static_cast<double>(fewest), static_cast<double>(options.pins));
-        sum += distance(a.at, b.at) * std::abs(wide - pins * pitch);
-    }
-    return sum;
-}
-
-/// Single pins can be lifted: is the part better served half a pitch beside its middle?
-double aside_of(const Axis& axis, const std::vector<int>& nodes, const Options& options) {
-    if (!options.masked || options.pins < 2) return 0;
-    const int centred = options.pins % 2 == 0 ? 2 : 1, beside = 3 - centred;
-    return misfit(axis, nodes, beside, options) < misfit(axis, nodes, centred, options)
-               ? options.width / options.pins / 2
-               : 0;
 }
 
 Arm arm_of(const Axis& axis, const Trail& trail, const Region& region, const NarrowParts& narrow,
