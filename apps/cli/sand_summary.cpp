@@ -42,16 +42,20 @@ std::string fidelity_rows(const fidelity::Report& r) {
 std::string legibility_rows(const Drawing& drawing, const legibility::Report& report, bool all) {
     if (report.details.empty()) return "";
     std::string text =
-        row("legibility", fmt::format("{} details are finer than the rake; all survive on a canvas of "
-                                      "{:.1f} x {:.1f} m",
-                                      report.details.size(), report.factor * drawing.canvas.width,
-                                      report.factor * drawing.canvas.height));
+        row("legibility",
+            fmt::format("{}{} details are finer than the rake; all survive on a canvas of "
+                        "{:.1f} x {:.1f} m",
+                        report.whole ? "" : "at least ", report.details.size(),
+                        report.factor * drawing.canvas.width, report.factor * drawing.canvas.height));
     if (!all) return text;
+    const auto name = [&](int element) { return drawing.elements[static_cast<std::size_t>(element)].id; };
     for (const legibility::Detail& detail : report.details)
         text += fmt::format("  {} at ({:.2f}, {:.2f}): {}, {:.3g} cm where {:.3g} cm are needed\n",
-                            drawing.elements[static_cast<std::size_t>(detail.element)].id, detail.at.x,
-                            detail.at.y, legibility::meaning_of(detail.kind), centimetres * detail.width,
-                            centimetres * detail.needed);
+                            detail.other < 0
+                                ? name(detail.element)
+                                : fmt::format("{} beside {}", name(detail.element), name(detail.other)),
+                            detail.at.x, detail.at.y, legibility::meaning_of(detail.kind),
+                            centimetres * detail.width, centimetres * detail.needed);
     return text;
 }
 

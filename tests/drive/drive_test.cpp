@@ -21,6 +21,16 @@ TEST(Drive, AStraightLineIsOneLegWithoutLeads) {
     EXPECT_NEAR(distance(result.end.pose.at, {4.2, 1}), 0, 1e-12);
 }
 
+TEST(Drive, TwoPinsOfSevenLieEvenlyAboutTheLineWhicheverWayItIsDriven) {
+    Stroke line = polyline({{1, 1}, {4, 1}});
+    line.pins = 2;  // the middle one and the one right of it
+    EXPECT_NEAR(drive::drive(line, 0, 0, false, beachbot(), {}).start.pose.at.y, 1.03, 1e-12);
+    EXPECT_NEAR(drive::drive(line, 0, 1, true, beachbot(), {}).start.pose.at.y, 0.97, 1e-12);
+    Robot axle = beachbot();
+    axle.rake_offset = 0;
+    EXPECT_NEAR(drive::drive(line, 0, 0, false, axle, {}).start.pose.at.y, 1, 1e-12) << "it cannot";
+}
+
 TEST(Drive, ReversedItRunsTheOtherWay) {
     const drive::Drive result = drive::drive(polyline({{1, 1}, {4, 1}}), 0, 1, true, beachbot(), {});
     EXPECT_NEAR(distance(result.start.pose.at, {3.8, 1}), 0, 1e-12);

@@ -45,6 +45,46 @@ TEST(DriveLaws, WhateverTheCornersLegsMeetAndRollAndTheWholeStrokeIsDrawn) {
     }
 }
 
+/// The largest distance of the middle of the lowered pins, pin by pin, from straight edges.
+double worst_pins_error(const drive::Drive& drive, const Robot& robot, const Stroke& stroke) {
+    const unsigned mask = pin_mask(robot, stroke.pins);
+    double worst = 0;
+    for (const Leg& leg : drive.legs) {
+        if (leg.motion != Motion::draw) continue;
+        for (const RobotState& state : leg.path) {
+            Point middle{};
+            for (int pin = 0; pin < robot.pins; ++pin)
+                if (mask >> (robot.pins - 1 - pin) & 1U)
+                    middle = middle + 1.0 / stroke.pins *
+                                          (rake_at(robot, state.pose) +
+                                           ((robot.pins - 1) / 2.0 - pin) * robot.pin_pitch *
+                                               left_normal(unit(state.pose.heading)));
+            double nearest = 1e9;
+            for (const Curve& edge : stroke.rake_path)
+                nearest = std::min(nearest, distance_to_segment(middle, edge.start.at, end_pose(edge).at));
+            worst = std::max(worst, nearest);
+        }
+    }
+    return worst;
+}
+
+TEST(DriveLaws, TheMiddleOfThePinsRunsAlongTheStrokeHoweverManyThereAre) {
+    std::mt19937_64 random(12);
+    Robot turf = *builtin_robot("turf"), even = beachbot();
+    turf.pins = 4;
+    even.pins = 8;
+    for (int round = 0; round < 6; ++round) {
+        Stroke stroke = random_stroke(random, round % 2 == 0);
+        for (const Robot& robot : {beachbot(), even, turf})
+            for (stroke.pins = 1; stroke.pins <= 4; ++stroke.pins) {
+                const auto result = drive::drive(stroke, 0, 0, round % 3 == 0, robot, {});
+                EXPECT_NEAR(expect_drivable(result, steered(stroke, robot)), length(stroke.rake_path), 1e-3);
+                EXPECT_LT(worst_pins_error(result, robot, stroke), 1e-6) << robot.name << stroke.pins;
+                if (HasFailure()) return;
+            }
+    }
+}
+
 TEST(DriveLaws, RoundedStrokesRollToo) {
     std::mt19937_64 random(6);
     for (int round = 0; round < 8; ++round) {

@@ -17,6 +17,17 @@ TEST(Gcode, ReadBackItIsWhatTheToolDraws) {
     expect_same(only_down(read_gcode(written(plan)).tracks), only_down(tracks_of(plan, true)), millimetre);
 }
 
+TEST(Gcode, TheToolGoesAlongTheMiddleOfTheStrokesPins) {
+    Plan plan = beach_plan();
+    const auto places = [&] { return only_down(read_gcode(written(plan)).tracks); };
+    const auto before = places();
+    for (Stroke& stroke : plan.strokes) stroke.pins = 2;
+    const auto after = places();
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t k = 0; k < before.size(); ++k)
+        EXPECT_NEAR(distance(before[k].points.front(), after[k].points.front()), 0.03, 0.001) << k;
+}
+
 TEST(Gcode, EveryStrokeGoesDownOnceAndUpOnce) {
     const Program program = read_gcode(written(beach_plan()));
     EXPECT_EQ(std::ranges::count(program.others, "G1 Z0 F600"), 4);

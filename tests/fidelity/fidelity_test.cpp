@@ -53,6 +53,11 @@ TEST(Fidelity, ALineBesideItsPlaceIsOffByThat) {
     EXPECT_NEAR(r.missing, 4 * 0.03, 0.01);
 }
 
+TEST(Fidelity, TwoPinsOfSevenDrawBesideTheRakesMiddle) {
+    EXPECT_NEAR(report_of(one_line(0.03, 2, without_wheels())).lateral_max, 0, 1e-9);
+    EXPECT_NEAR(report_of(one_line(0, 2, without_wheels())).lateral_max, 0.03, 1e-9);
+}
+
 TEST(Fidelity, AWiderGrooveIsWiderByItsPins) {
     const Report r = report_of(one_line(0, 5, without_wheels()));
     EXPECT_NEAR(r.width_bias, 0.12, 0.01);

@@ -2,6 +2,7 @@
 
 #include "fill/areas.hpp"
 #include "path/fill/corners.hpp"
+#include "path/fill/passes.hpp"
 
 namespace strandline::fill {
 namespace {
@@ -42,6 +43,20 @@ Region cross() {
                        {-0.15, -0.15}}});
 }
 
+TEST(FillNarrow, ALineMovedAsideIsMitredAtItsCorners) {
+    const Polyline angle{{0, 0}, {2, 0}, {2, 2}};
+    EXPECT_EQ(moved_aside(angle, 0), angle);
+    const Polyline inside = moved_aside(angle, 0.1);
+    EXPECT_LT(distance(inside[0], {0, 0.1}), 1e-12);
+    EXPECT_LT(distance(inside[1], {1.9, 0.1}), 1e-12);
+    EXPECT_LT(distance(inside[2], {1.9, 2}), 1e-12);
+    const Polyline square = moved_aside({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}}, 0.1);
+    EXPECT_LT(distance(square.front(), {0.1, 0.1}), 1e-12);
+    EXPECT_EQ(square.front(), square.back());
+    // Back the way it came: at most twice as far from the corner.
+    EXPECT_LE(distance(moved_aside({{0, 0}, {2, 0}, {0, 0.1}}, 0.1)[1], {2, 0}), 0.2 + 1e-12);
+}
+
 double length_of(const Stroke& stroke) { return length(stroke.rake_path); }
 
 TEST(FillNarrow, AnArmOfAKeyGetsOnePassToItsEnd) {
@@ -54,6 +69,25 @@ TEST(FillNarrow, AnArmOfAKeyGetsOnePassToItsEnd) {
         for (Point p : first) EXPECT_TRUE(contains(region, p) || distance_to_outline(region.outer, p) < 1e-6);
         EXPECT_GT(areas::judged(region, fill, 0.4).coverage, 0.975);
     }
+}
+
+TEST(FillNarrow, WherePinsLiftAStripOfAnEvenNumberOfThemIsRakedHalfAPitchBesideItsMiddle) {
+    const double pitch = 0.06;
+    for (int fitting = 2; fitting <= 6; ++fitting)
+        for (const int pins : {7, 8}) {
+            const double half = fitting * pitch / 2;
+            const Region strip = areas::of({{{0, -half}, {5, -half}, {5, half}, {0, half}}});
+            const Options options{.width = pins * pitch, .spacing = pins * pitch, .pins = pins};
+            Options masked = options;
+            masked.masked = true;
+            const double beside = (pins - fitting) % 2 == 0 ? 0 : pitch / 2;
+            for (const auto& [of, off] : {std::pair{masked, beside}, std::pair{options, 0.0}}) {
+                const Fill fill = fill_region(strip, 0, "strip", of);
+                ASSERT_EQ(fill.strokes.size(), 1u);
+                for (Point p : areas::line_of(fill.strokes.front()))
+                    EXPECT_NEAR(std::abs(p.y), off, 0.005) << fitting << " of " << pins;
+            }
+        }
 }
 
 TEST(FillNarrow, AStripHardlyWiderThanTheRakeIsRakedAlongItsMiddle) {

@@ -89,6 +89,17 @@ TEST(Order, AVariantIsTakenWhereItsOwnMetresAreFewerThanItSaves) {
     }
 }
 
+TEST(Order, StrokesWhosePinsHaveAnotherMiddleAreNotJoined) {
+    // one pin of seven and two: the rake would have to be moved aside where they touch
+    const Robot robot = *builtin_robot("beachbot");
+    const Job job{{line_group(0, {0, 0}, {3, 0}, 1), line_group(1, {3.01, 0}, {6, 0}, 2)}, {}, {}, {}};
+    const auto answer = ordered(job, robot, options_for(robot));
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->direct, 0);
+    EXPECT_EQ(answer->connections.size(), 1u);
+    expect_legs_meet(legs_of(answer->stretches));
+}
+
 TEST(Order, StrokesThatTouchAreJoinedDirectlyAndStayTheirOwn) {
     const Robot robot = *builtin_robot("beachbot");
     const Job job{{line_group(0, {0, 0}, {3, 0}, 1), line_group(1, {3.01, 0}, {6, 0}, 3)}, {}, {}, {}};

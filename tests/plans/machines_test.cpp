@@ -5,6 +5,7 @@
 
 #include "plan/pipeline/pipeline.hpp"
 #include "result/check/check.hpp"
+#include "result/fidelity/fidelity.hpp"
 #include "result/tracking/tracking.hpp"
 
 namespace strandline {
@@ -74,6 +75,28 @@ TEST(Machines, ARobotThatBacksUpComesSoonerAndIsNotMistakenForOneThatDoesNot) {
     mistaken.robot.can_back_up = false;
     EXPECT_FALSE(check::prove(mistaken).sound());
     EXPECT_TRUE(tracking::driven(mistaken.robot, plan->samples, exact).lost) << "it waits for ever";
+}
+
+TEST(Machines, LinesOfAnEvenNumberOfPinsLieInTheMiddleOfTheirPins) {
+    Robot robot = *builtin_robot("beachbot");
+    robot.rake_rules = {{8, 4}};
+    Plan plan = planned(robot);
+    const auto report = fidelity::judged(plan.drawing, fidelity::drive_of(plan)).report;
+    EXPECT_LT(report.lateral_max, 0.001);
+    EXPECT_LT(report.width_error, 0.01);
+    EXPECT_EQ(report.undrawn, 0);
+    EXPECT_TRUE(check::prove(plan).sound());
+    for (Sample& sample : plan.samples)  // one more pin on the right: the middle is half a pitch off
+        if (sample.mask != 0) sample.mask |= sample.mask >> 1;
+    EXPECT_FALSE(check::prove(plan, {.tolerance = 0.02}).sound());
+    const auto says = [](const Plan& of) {
+        return std::ranges::any_of(of.warnings,
+                                   [](const Warning& w) { return w.place == "robot.rake_offset"; });
+    };
+    EXPECT_FALSE(says(plan));
+    robot.rake_offset = 0;
+    robot.can_pivot = true;
+    EXPECT_TRUE(says(planned(robot))) << "it cannot be driven beside its path";
 }
 
 TEST(Machines, TheSetbackIsKeptFromABorderThatWasAskedFor) {

@@ -43,6 +43,21 @@ TEST(Robot, MasksOf2014AreTheMiddlePins) {
     for (int count = 0; count <= robot.pins; ++count) EXPECT_EQ(pins_down(pin_mask(robot, count)), count);
 }
 
+TEST(Robot, AnEvenNumberOfPinsOutOfAnOddOneLiesHalfAPitchBeside) {
+    Robot robot = beachbot();
+    EXPECT_EQ(pin_mask(robot, 2), 12u);
+    EXPECT_DOUBLE_EQ(middle_of(robot, pin_mask(robot, 2)), -0.03);
+    EXPECT_DOUBLE_EQ(middle_of(robot, 64u), 0.18);
+    EXPECT_EQ(middle_of(robot, 0), 0);
+    for (int count = 1; count <= robot.pins; count += 2)
+        EXPECT_NEAR(middle_of(robot, pin_mask(robot, count)), 0, 1e-15) << count;
+    robot.pins = 6;
+    EXPECT_NEAR(middle_of(robot, pin_mask(robot, 3)), -0.03, 1e-15);
+    robot.rake_side = -0.5;  // beside the body on its right: towards the axis
+    EXPECT_NEAR(middle_of(robot, pin_mask(robot, 3)), 0.03, 1e-15);
+    EXPECT_NEAR(middle_of(robot, pin_mask(robot, 6)), 0, 1e-15);
+}
+
 TEST(Robot, TheOnlyPinOfAPlotterIsBitZero) { EXPECT_EQ(pin_mask(*builtin_robot("plotter"), 1), 1u); }
 
 TEST(Robot, StrokeWidthsChooseTheRakeAsIn2014) {

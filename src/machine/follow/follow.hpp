@@ -93,6 +93,9 @@ struct Sample {
     int stroke = -1;  ///< index of the stroke drawn from here to the next sample, -1 between strokes
     bool operator==(const Sample&) const = default;
 };
+/// Where a line is drawn with these pins at the sample: the middle of them, beside Q where they are not those
+/// in the rake's middle.
+Point drawn_at(const Robot& robot, const Sample& sample, unsigned mask);
 const char* name_of(Motion motion);
 /// Whether the robot backs up from one sample to the next.
 bool backs(const Sample& from, const Sample& to);

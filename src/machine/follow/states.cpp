@@ -26,6 +26,11 @@ Pose robot_at(const Robot& robot, Point rake, double robot_heading) {
     return {rake + robot.rake_offset * ahead - robot.rake_side * left_normal(ahead), robot_heading};
 }
 
+Point drawn_at(const Robot& robot, const Sample& sample, unsigned mask) {
+    const double aside = middle_of(robot, mask);
+    return aside == 0 ? sample.rake : sample.rake + aside * left_normal(unit(sample.pose.heading));
+}
+
 double length(const RobotPath& path) { return path.empty() ? 0 : path.back().s - path.front().s; }
 
 RobotState state_at(const RobotPath& path, double s) {

@@ -141,13 +141,24 @@ Robot sand_table() {
 
 unsigned pin_mask(const Robot& robot, int count) {
     const int down = std::clamp(count, 0, robot.pins);
-    // pins are numbered from the left, the leftmost in the highest used bit; what cannot be halved evenly
-    // goes to the left
-    const int right_of_it = (robot.pins - down) / 2;
+    // pins are numbered from the left, the leftmost in the highest used bit; of what cannot be halved evenly
+    // more is up on the left, or on the right of a rake to the right: pins near the axis follow bends better
+    const int right_of_it = (robot.pins - down + (robot.rake_side < 0 ? 1 : 0)) / 2;
     return ((1u << down) - 1u) << right_of_it;
 }
 
 int pins_down(unsigned mask) { return std::popcount(mask); }
+
+double middle_of(const Robot& robot, unsigned mask) {
+    double sum = 0;
+    int down = 0;
+    for (int pin = 0; pin < robot.pins; ++pin) {
+        if ((mask >> (robot.pins - 1 - pin) & 1U) == 0) continue;
+        sum += (robot.pins - 1) / 2.0 - pin;
+        ++down;
+    }
+    return down == 0 ? 0 : sum / down * robot.pin_pitch;
+}
 
 int pins_for_width(const Robot& robot, double stroke_width) {
     if (robot.rake_rules.empty()) return robot.pins;

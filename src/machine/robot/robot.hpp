@@ -59,9 +59,14 @@ struct Robot {
 
 /// Width of the groove that n neighbouring pins leave.
 inline double groove_width(const Robot& robot, int pins) { return pins * robot.pin_pitch; }
-/// Mask with the middle `count` pins down; highest used bit = leftmost pin looking forward. 0 for count 0.
+/// Mask with the middle `count` pins down; highest used bit = leftmost pin looking forward. 0 for count 0. An
+/// even number of an odd one, or the other way round, lies half a pitch right of the middle; left of it where
+/// the rake lies right of the robot's axis.
 unsigned pin_mask(const Robot& robot, int count);
 int pins_down(unsigned mask);
+/// Metres left of the rake's centre at which the middle of a mask's pins lies: half a pitch where an even
+/// number is down of an odd one, or the other way round. 0 for no pin. O(pins).
+double middle_of(const Robot& robot, unsigned mask);
 /// Pins for a stroke of that width (user units, as in RakeRule).
 int pins_for_width(const Robot& robot, double stroke_width);
 /// Of turns to the left (side > 0) or right.

@@ -1,5 +1,7 @@
 #pragma once
 // Distances to many segments and containment in large regions, asked for thousands of points.
+#include <cstdint>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -24,6 +26,29 @@ class SegmentTree {
 };
 
 SegmentTree::Segments segments_of(const Polyline& line, bool closed);
+
+/// Segments by the squares of a grid that they come through: all of them that are near a place, however they
+/// lie in the order given. O(length / square) to make.
+class SegmentSquares {
+  public:
+    /// `square`: metres, above 0; about the distance that is asked for.
+    SegmentSquares(SegmentTree::Segments segments, double square);
+    struct Near {
+        std::size_t number = 0;  ///< of the segment
+        Point at;                ///< nearest place on it
+        double distance = 0;
+    };
+    /// Segments no farther than `reach` from p, each once, by number. O(segments in (1 + 2 reach / square)^2
+    /// squares).
+    std::vector<Near> near(Point p, double reach) const;
+
+  private:
+    int place(double coordinate) const;
+    static std::uint64_t key(int i, int j);
+    SegmentTree::Segments segments_;
+    double square_;
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> squares_;
+};
 
 /// Outlines cut into horizontal bands, so that a point looks at the edges of its band only.
 class BandedRegion {

@@ -180,8 +180,9 @@ void unwind(std::vector<Leg>& legs) {
 
 }  // namespace
 
-Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, const Robot& robot,
+Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, const Robot& machine,
             const Options& options) {
+    const Robot robot = steered(stroke, machine);
     const std::vector<Curve> edges = edges_of(rake_path_from(stroke, node, reversed));
     Builder build{robot, options, stroke_index, stroke.fill};
     if (edges.empty()) return {};

@@ -42,6 +42,7 @@ struct Drive {
 ///   a fill's corner: round, exact, pivot, loop;
 ///   below the threshold: as `below` says, exact, then as `above` says;   from the threshold: as `above`
 ///   says, then loop.
+/// The middle of the stroke's pins is driven along the rake path, not the rake's own (steered()).
 /// O(length / step).
 Drive drive(const Stroke& stroke, int stroke_index, int node, bool reversed, const Robot& robot,
             const Options& options);

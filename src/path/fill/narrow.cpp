@@ -5,8 +5,6 @@
 #include <map>
 #include <set>
 
-#include "path/fill/trails.hpp"
-
 namespace strandline::fill {
 namespace {
 
@@ -122,7 +120,8 @@ Axis narrow_axis(const Regions& plain, const Regions& bare, const NarrowParts& n
 }
 
 Arm arm_of(const Axis& axis, const Trail& trail, const Region& region, const NarrowParts& narrow,
-           const std::map<std::pair<int, int>, double>& openings, double width) {
+           const std::map<std::pair<int, int>, double>& openings, const Options& options) {
+    const double width = options.width;
     Arm arm;
     std::vector<int> nodes = trail.nodes;
     const auto opening = [&](std::size_t i) { return openings.at(std::minmax({nodes[i], nodes[i + 1]})); };
@@ -144,6 +143,7 @@ Arm arm_of(const Axis& axis, const Trail& trail, const Region& region, const Nar
         arm.least = std::min(arm.least, 2 * axis.nodes[node].radius);
         arm.most = std::max(arm.most, 2 * axis.nodes[node].radius);
     }
+    arm.aside = aside_of(axis, nodes, options);
     arm.line = thinned(arm.line, thinning * width);
     const double whole = length(arm.line), back = std::max(0.0, width / 2 - overlap * width);
     if (trail.cut_start && trail.cut_end && whole > 2 * back + overlap * width)
@@ -191,7 +191,8 @@ NarrowParts narrow_parts(const Region& region, const Options& options) {
                     return away_from(narrow.bodies[k], axis.nodes[node].at) < axis_step * w;
                 });
             });
-    for (const Trail& trail : trails) narrow.arms.push_back(arm_of(axis, trail, region, narrow, openings, w));
+    for (const Trail& trail : trails)
+        narrow.arms.push_back(arm_of(axis, trail, region, narrow, openings, options));
     std::vector<Polyline> lines;
     for (const Arm& arm : narrow.arms) lines.push_back(arm.line);
     for (int k = 0; k < bodies; ++k)
@@ -255,7 +256,8 @@ std::vector<Pass> with_arms(std::vector<Pass> passes, const NarrowParts& narrow,
     const auto rake_arm = [&](int k, int towards, bool beyond) {
         const Arm& arm = narrow.arms[k - bodies];
         if (arm.line.empty()) return;
-        Polyline line = towards != Arm::free && arm.start == towards ? reversed(arm.line) : arm.line;
+        const Polyline middle = moved_aside(arm.line, arm.aside);
+        const Polyline line = towards != Arm::free && arm.start == towards ? reversed(middle) : middle;
         Polyline way;  // there is none but through the arm, when nothing lies beyond it
         if (!beyond && !ordered.empty()) way.assign(line.rbegin(), line.rend() - 1);
         ordered.push_back({std::move(way), rounded(line, options.round_corners ? options.turn_radius : 0)});

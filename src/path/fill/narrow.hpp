@@ -2,6 +2,7 @@
 // Private to the room: parts of an area that are narrower than the rake, and the single passes that serve
 // them.
 #include "path/fill/passes.hpp"
+#include "path/fill/trails.hpp"
 
 namespace strandline::fill {
 
@@ -14,6 +15,9 @@ struct Arm {
     /// bodies and its number), or free.
     int start = free, end = free;
     double least = 0, most = 0;  ///< metres: how wide the part is
+    /// Metres left of the line that the rake's middle is driven: half a pitch where pins between the part's
+    /// borders are an even number of an odd one, or the other way round.
+    double aside = 0;
 };
 struct NarrowParts {
     Regions bodies;             ///< where the rake's centre fits, coarse: tolerance width/50
@@ -26,6 +30,10 @@ struct NarrowParts {
 /// third of its width: corners, however sharp, are none. From the medial axis, so that arms may branch and
 /// close. Cost: an inset of the thinned area, and its medial axis if anything is bare.
 NarrowParts narrow_parts(const Region& region, const Options& options);
+
+/// Arm::aside of a part along these nodes of the axis: not 0 where pins are lifted one by one and leave less
+/// bare, and rake less outside, half a pitch beside the middle. O(nodes).
+double aside_of(const Axis& axis, const std::vector<int>& nodes, const Options& options);
 
 /// The passes of the bodies (as a style gives them) and of the arms in one order: seen from the largest body,
 /// what is farther comes first, so that arms are raked towards sand that is still to be raked, and the job

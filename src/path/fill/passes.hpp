@@ -49,5 +49,8 @@ Region thinned_region(const Region& region, double tolerance);
 /// The chain with its corners rounded to `radius`, or as much as half the shorter neighbour allows. Corners
 /// of less than about 6 degrees stay.
 Polyline rounded(const Polyline& line, double radius);
+/// The chain moved `left` metres sideways, mitred at corners up to 120 degrees. One that ends where it begins
+/// is closed.
+Polyline moved_aside(const Polyline& line, double left);
 
 }  // namespace strandline::fill

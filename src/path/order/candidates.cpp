@@ -37,7 +37,8 @@ CurvePoint turned_about(const CurvePoint& point) {
 }
 
 /// The robot before the rake, which follows a circle of that curvature as far as connections may.
-Pose robot_pose(const CurvePoint& rake, const Robot& robot) {
+Pose robot_pose(const CurvePoint& rake, const Stroke& stroke, const Robot& machine) {
+    const Robot robot = steered(stroke, machine);
     const double most = connectable_delta(robot, rake.curvature);
     const double heading = rake.pose.heading + steady_delta(robot, rake.curvature, most);
     return robot_at(robot, rake.pose.at, heading);
@@ -64,7 +65,9 @@ Candidate candidate(const Group& group, const Going& going, const Robot& robot) 
     }
     const double longer =
         going.variant < 0 ? 0 : group.variants[static_cast<std::size_t>(going.variant)].longer;
-    return {going, robot_pose(start, robot), robot_pose(end, robot), start.pose, end.pose, longer};
+    const Stroke &begun = step.reversed ? last : first, &ended = step.reversed ? first : last;
+    return {going, robot_pose(start, begun, robot), robot_pose(end, ended, robot), start.pose, end.pose,
+            longer};
 }
 
 namespace {

@@ -9,8 +9,9 @@ struct Planned {
     int stroke = -1;  ///< index in Ordered::strokes
     std::vector<Curve> rake_path;
 };
-/// Drives strokes whose ends lie within a small gap as one rake path, straight across the gaps with the rake
-/// up, and gives the legs back to their strokes. One stroke alone is simply driven.
+/// Drives strokes with the same middle of their pins whose ends lie within a small gap as one rake path,
+/// straight across the gaps with the rake up, and gives the legs back to their strokes. One stroke alone is
+/// simply driven.
 drive::Drive drive_chain(const std::vector<Planned>& chain, const std::vector<Stroke>& strokes,
                          const Robot& robot, const drive::Options& options);
 

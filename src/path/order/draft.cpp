@@ -96,16 +96,18 @@ class Drafter {
 
     std::vector<std::vector<Link>> chained(std::vector<Link> links) {
         std::vector<std::vector<Link>> chains;
-        const auto is_fill = [&](const Link& link) {
-            return answer_.strokes[static_cast<std::size_t>(link.planned.stroke)].fill;
+        const auto stroke_of = [&](const Link& link) -> const Stroke& {
+            return answer_.strokes[static_cast<std::size_t>(link.planned.stroke)];
         };
+        const auto is_fill = [&](const Link& link) { return stroke_of(link).fill; };
         for (Link& next : links) {
             if (!chains.empty()) {
                 const Link& before = chains.back().back();
                 const Pose end = end_pose(before.planned.rake_path.back()),
                            start = next.planned.rake_path.front().start;
                 answer_.straight += distance(end.at, start.at);
-                if (!is_fill(before) && !is_fill(next) && nearly_touch(end, start, robot_, options_)) {
+                if (!is_fill(before) && !is_fill(next) &&
+                    nearly_touch(end, stroke_of(before), start, stroke_of(next), robot_, options_)) {
                     ++answer_.direct;
                     cost_ += distance(end.at, start.at);
                     chains.back().push_back(std::move(next));

@@ -27,13 +27,15 @@ Drives::Answer Drives::driven(const std::vector<Planned>& chain, const std::vect
                               const Robot& robot, const drive::Options& options) {
     const int first = chain.front().stroke;
     const Pose start = chain.front().rake_path.front().start, end = end_pose(chain.back().rake_path.back());
-    const bool fill = strokes[static_cast<std::size_t>(first)].fill;
+    const Stroke& stroke = strokes[static_cast<std::size_t>(first)];
     One& one = by_ends_[{start.at.x, start.at.y, start.heading, end.at.x, end.at.y, end.heading,
                          static_cast<double>(chain.size())}];
-    if (!one.drive || one.fill != fill || !same_paths(one.rake_paths, chain)) {
+    if (!one.drive || one.fill != stroke.fill || one.pins != stroke.pins ||
+        !same_paths(one.rake_paths, chain)) {
         one.rake_paths.clear();
         for (const Planned& link : chain) one.rake_paths.push_back(link.rake_path);
-        one.fill = fill;
+        one.fill = stroke.fill;
+        one.pins = stroke.pins;
         auto drive = std::make_shared<drive::Drive>(drive_chain(chain, strokes, robot, options));
         for (Leg& leg : drive->legs)
             if (leg.stroke >= 0) leg.stroke -= first;

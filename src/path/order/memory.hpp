@@ -27,6 +27,7 @@ class Drives {
     struct One {
         std::vector<std::vector<Curve>> rake_paths;
         bool fill = false;
+        int pins = 0;
         std::shared_ptr<const drive::Drive> drive;
         std::shared_ptr<const std::vector<Leg>> led;
         bool used = true;

@@ -25,7 +25,11 @@ bool is_fill(const Group& group) { return group.work.strokes.front().fill; }
 
 }  // namespace
 
-bool nearly_touch(Pose from, Pose to, const Robot& robot, const Options& options) {
+bool nearly_touch(Pose from, const Stroke& drawn, Pose to, const Stroke& next, const Robot& robot,
+                  const Options& options) {
+    // The rake would have to be moved sideways where they meet.
+    if (middle_of(robot, pin_mask(robot, drawn.pins)) != middle_of(robot, pin_mask(robot, next.pins)))
+        return false;
     // Rounding moves the ends that meet, and the legs could not be dealt back to their strokes.
     if (options.drive.below == drive::Below::round || options.drive.above == drive::Above::round)
         return false;
@@ -84,7 +88,13 @@ Pairs::Entry Pairs::first_look(int from, int to) const {
                     &b = candidates_[static_cast<std::size_t>(to)];
     const bool lines = !is_fill(job_.groups[static_cast<std::size_t>(group_of(from))]) &&
                        !is_fill(job_.groups[static_cast<std::size_t>(group_of(to))]);
-    if (lines && nearly_touch(a.rake_end, b.rake_start, robot_, options_)) {
+    const auto stroke_at = [&](const Candidate& candidate, bool end) -> const Stroke& {
+        const auto& [step, variant] = candidate.going;
+        const auto& strokes = strokes_of(job_.groups[static_cast<std::size_t>(step.element)], variant);
+        return step.reversed == end ? strokes.front() : strokes.back();
+    };
+    if (lines &&
+        nearly_touch(a.rake_end, stroke_at(a, true), b.rake_start, stroke_at(b, false), robot_, options_)) {
         entry = {distance(a.rake_end.at, b.rake_start.at), true, true, {{}}};
         entry.passages.front().length = entry.shortest;
         return entry;

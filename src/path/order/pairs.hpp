@@ -13,7 +13,8 @@
 namespace strandline::order {
 
 /// Whether the drive may go straight on from the end of one rake path to the start of the next.
-bool nearly_touch(Pose from, Pose to, const Robot& robot, const Options& options);
+bool nearly_touch(Pose from, const Stroke& drawn, Pose to, const Stroke& next, const Robot& robot,
+                  const Options& options);
 
 /// Those that are looked at, from there.
 std::vector<Pose> nearest_exits(const Job& job, Point from);

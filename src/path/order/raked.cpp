@@ -40,9 +40,10 @@ void Raked::draw(const Leg& leg, const Stroke& stroke, std::uint64_t what) {
     state_ += mixed(what);
     const double half = groove_width(robot_, stroke.pins) / 2 / raster_.cell;
     Layer& layer = stroke.fill ? areas_ : lines_;
+    const Robot along = steered(stroke, robot_);
     for (std::size_t i = 1; i < leg.path.size(); ++i) {
-        const Point a = raster_.in_cells(rake_at(robot_, leg.path[i - 1].pose)),
-                    b = raster_.in_cells(rake_at(robot_, leg.path[i].pose));
+        const Point a = raster_.in_cells(rake_at(along, leg.path[i - 1].pose)),
+                    b = raster_.in_cells(rake_at(along, leg.path[i].pose));
         const double length = distance(a, b);
         if (length <= 0) continue;
         for_runs_in(raster_, Swath{a, 1 / length * (b - a), length, half, half}, [&](const Run& run) {

@@ -40,6 +40,11 @@ std::vector<Curve> rotated(const std::vector<Curve>& curves, double from) {
 
 }  // namespace
 
+Robot steered(const Stroke& stroke, Robot robot) {
+    if (robot.rake_offset > 0) robot.rake_side += middle_of(robot, pin_mask(robot, stroke.pins));
+    return robot;
+}
+
 std::vector<Curve> rake_path_from(const Stroke& stroke, int node, bool reverse) {
     std::vector<Curve> path = stroke.rake_path;
     if (stroke.closed && node >= 0 && node < static_cast<int>(stroke.nodes.size())) {

@@ -24,7 +24,7 @@ struct Stroke {
     bool closed = false;                ///< ends where it starts: may be entered at any node
     bool one_way = false;               ///< only in the direction given (fills)
     bool fill = false;                  ///< part of a region's fill: corners are rounded inside
-    int pins = 1;                       ///< pins down, centred
+    int pins = 1;                       ///< pins down, those in the rake's middle (pin_mask)
     /// ascending s; open strokes: both ends at least; closed: the seam not repeated
     std::vector<Node> nodes = {};
     bool operator==(const Stroke&) const = default;
@@ -47,6 +47,11 @@ struct Entry {
 /// The stroke's rake path as driven: a closed stroke begun (and ended) at the node, an open one at its end;
 /// turned about when reversed. O(pieces).
 std::vector<Curve> rake_path_from(const Stroke& stroke, int node, bool reversed);
+
+/// The robot to drive the stroke with: its rake's centre is the middle of the stroke's pins, so that they lie
+/// evenly about the rake path. Beside the machine's own by half a pitch at most. A rake at the turning point
+/// cannot be driven beside its path: that robot is returned as it is.
+Robot steered(const Stroke& stroke, Robot robot);
 
 /// A piece of the robot path with one kind of motion.
 struct Leg {

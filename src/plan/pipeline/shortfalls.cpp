@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "plan/pipeline/hints.hpp"
 
@@ -82,11 +83,32 @@ void say_marks(Plan& plan) {
                                     plan.robot.name, plan.figures.up_driven)});
 }
 
+/// A rake at the turning point cannot be driven beside its path (steered()).
+void say_beside(Plan& plan) {
+    if (plan.robot.rake_offset > 0) return;
+    int beside = 0;
+    double off = 0;
+    for (const Stroke& stroke : plan.strokes) {
+        const double here = std::abs(middle_of(plan.robot, pin_mask(plan.robot, stroke.pins)));
+        if (here == 0) continue;
+        ++beside;
+        off = here;
+    }
+    if (beside == 0) return;
+    plan.warnings.push_back(
+        {"robot.rake_offset",
+         fmt::format("{} strokes lie {:g} m beside their lines: their pins are not in the rake's middle, and "
+                     "with the rake at the turning point the robot cannot drive beside its path; draw them "
+                     "with {} number of pins",
+                     beside, off, plan.robot.pins % 2 == 0 ? "an even" : "an odd")});
+}
+
 }  // namespace
 
 void say_shortfalls(Plan& plan) {
     say_marks(plan);
     say_undrivable(plan);
+    say_beside(plan);
     say_blemishes(plan);
     say_lifts(plan);
 }

@@ -88,6 +88,7 @@ double explained(const std::vector<Rounding>& all, double Rounding::*part, Point
 struct Drawn {
     struct Place {
         int sample, stroke;
+        Point at;  ///< of the middle of the lowered pins
     };
     std::vector<Place> places;  ///< both ends of every interval, each sample once
     SegmentTree::Segments segments;
@@ -122,11 +123,12 @@ class Judge {
                         a.rake, static_cast<int>(i), a.stroke, element});
                 continue;
             }
+            const Point from = drawn_at(plan_.robot, a, a.mask), to = drawn_at(plan_.robot, b, a.mask);
             Drawn& drawn = drawn_[static_cast<std::size_t>(element)];
             if (drawn.places.empty() || drawn.places.back().sample != static_cast<int>(i))
-                drawn.places.push_back({static_cast<int>(i), a.stroke});
-            drawn.places.push_back({static_cast<int>(i) + 1, a.stroke});
-            drawn.segments.emplace_back(a.rake, b.rake);
+                drawn.places.push_back({static_cast<int>(i), a.stroke, from});
+            drawn.places.push_back({static_cast<int>(i) + 1, a.stroke, to});
+            drawn.segments.emplace_back(from, to);
             by_stroke[static_cast<std::size_t>(a.stroke)] += step;
         }
         for (std::size_t k = 0; k < by_stroke.size(); ++k) strokes_once(k, by_stroke[k]);
@@ -195,20 +197,18 @@ class Judge {
         const std::vector<Rounding> rounded = roundings(chords, path.closed, plan_.options.corner);
 
         const SegmentTree target(segments);
-        for (const auto& [k, stroke] : drawn.places) {
-            const Sample& s = plan_.samples[static_cast<std::size_t>(k)];
-            const double off = target.distance(s.rake);
-            const double beyond =
-                off - (off > worth_explaining * options_.tolerance
-                           ? explained(rounded, &Rounding::aside, s.rake, options_.tolerance)
-                           : 0);
+        for (const auto& [k, stroke, at] : drawn.places) {
+            const double off = target.distance(at);
+            const double beyond = off - (off > worth_explaining * options_.tolerance
+                                             ? explained(rounded, &Rounding::aside, at, options_.tolerance)
+                                             : 0);
             report_.worst_offset = std::max(report_.worst_offset, beyond);
             if (beyond > options_.tolerance)
                 faults_.add(beyond,
                             {Law::drawn_right,
                              fmt::format("the rake is {:.4f} m off {}, allowed {:.4f} m", off,
                                          name_of_element(plan_, element), options_.tolerance + off - beyond),
-                             s.rake, k, stroke, element});
+                             at, k, stroke, element});
         }
         // A detour off the path is named above; it does not draw the path again.
         double on_path = 0;
@@ -270,7 +270,7 @@ class Judge {
         for (const Polygon& hole : region.holes)
             for (const auto& edge : segments_of(hole, true)) edges.push_back(edge);
         const SegmentTree outline(edges);
-        for (const auto& [k, stroke] : drawn.places) {
+        for (const auto& [k, stroke, at] : drawn.places) {
             const Sample& s = plan_.samples[static_cast<std::size_t>(k)];
             for (const Point& middle : middles_of(s)) {
                 if (area.contains(middle)) continue;

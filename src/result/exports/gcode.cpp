@@ -127,8 +127,8 @@ class Program {
 };
 
 Polyline track_of(const Plan& plan, const Span& span) {
-    Polyline all, kept;
-    for (std::size_t i = span.first; i <= span.last; ++i) all.push_back(plan.samples[i].rake);
+    const Polyline all = tool_track(plan, span);
+    Polyline kept;
     for (const std::size_t i : thinned(all, thinned_by)) kept.push_back(all[i]);
     return kept;
 }

@@ -16,6 +16,16 @@ std::vector<Span> spans_of(const std::vector<Sample>& samples) {
     return spans;
 }
 
+Polyline tool_track(const Plan& plan, const Span& span) {
+    const bool known = span.stroke >= 0 && span.stroke < static_cast<int>(plan.strokes.size());
+    const unsigned pins =
+        known ? pin_mask(plan.robot, plan.strokes[static_cast<std::size_t>(span.stroke)].pins) : 0;
+    Polyline track;
+    for (std::size_t i = span.first; i <= span.last; ++i)
+        track.push_back(drawn_at(plan.robot, plan.samples[i], pins));
+    return track;
+}
+
 std::vector<std::size_t> stop_samples(const Plan& plan, const std::vector<Sample>& samples) {
     std::vector<std::size_t> places;
     for (const Stop& stop : plan.stops) {

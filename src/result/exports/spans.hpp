@@ -16,6 +16,8 @@ struct Span {
 };
 /// All of the drive in order. O(samples).
 std::vector<Span> spans_of(const std::vector<Sample>& samples);
+/// Where one tool goes that draws what the pins do: along the middle of the stroke's pins. O(samples).
+Polyline tool_track(const Plan& plan, const Span& span);
 /// The sample from which the robot sets out after each of the plan's stops.
 std::vector<std::size_t> stop_samples(const Plan& plan, const std::vector<Sample>& samples);
 

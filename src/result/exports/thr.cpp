@@ -92,9 +92,8 @@ std::vector<Polyline> drawn_of(const Plan& plan, Point middle) {
     std::vector<Polyline> lines;
     for (const Span& span : spans_of(plan.samples)) {
         if (!span.down) continue;
-        lines.emplace_back();
-        for (std::size_t i = span.first; i <= span.last; ++i)
-            lines.back().push_back(plan.samples[i].rake - middle);
+        lines.push_back(tool_track(plan, span));
+        for (Point& p : lines.back()) p = p - middle;
     }
     return lines;
 }

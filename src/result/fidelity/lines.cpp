@@ -16,21 +16,6 @@ constexpr double chord_error = 0.01;
 /// Pins between two places at which a line's width is measured.
 constexpr double probe_step = 2;
 
-/// How far left of the rake's centre the middle of the lowered pins is.
-double middle_of(const Robot& robot, unsigned mask) {
-    double sum = 0;
-    int down = 0;
-    for (int pin = 0; pin < robot.pins; ++pin) {
-        if ((mask >> (robot.pins - 1 - pin) & 1U) == 0) continue;
-        sum += (robot.pins - 1) / 2.0 - pin;
-        ++down;
-    }
-    return down == 0 ? 0 : sum / down * robot.pin_pitch;
-}
-Point drawn_at(const Robot& robot, const Sample& sample, unsigned mask) {
-    return sample.rake + middle_of(robot, mask) * left_normal(unit(sample.pose.heading));
-}
-
 /// Means over metres.
 struct Lateral {
     double metres = 0, sum = 0, squares = 0, most = 0;
@@ -109,7 +94,8 @@ void measure_lines(const Drawing& drawing, const surface::Drive& drive, const Su
         const auto line = drive.samples[i].mask == 0 ? lines.end() : lines.find(drive.elements[i]);
         if (line == lines.end()) continue;
         const Sample &a = drive.samples[i], &b = drive.samples[i + 1];
-        lateral.add(line->second.distance(drawn_at(robot, a, a.mask)), distance(a.rake, b.rake));
+        lateral.add(line->second.distance(drawn_at(robot, a, a.mask)),
+                    distance(drawn_at(robot, a, a.mask), drawn_at(robot, b, a.mask)));
     }
     if (lateral.metres > 0) {
         report.lateral_mean = lateral.sum / lateral.metres;

@@ -56,15 +56,15 @@ void add_targets(Text& text, const Plan& plan) {
     add(text, "]}");
 }
 
-/// Points of a run. Rake up they are `travel_step` apart: the judge measures curvature on chords of 5 cm
-/// between points on straight lines from point to point, and finds 2.08 where samples 2 cm apart drive an arc
-/// of 2.00 1/m.
-std::vector<Point> track(const Plan& plan, const sketch::Run& run, bool robot_path) {
+/// Points of a run, of the robot or of the middle of `pins`. Rake up they are `travel_step` apart: the judge
+/// measures curvature on chords of 5 cm between points on straight lines from point to point, and finds 2.08
+/// where samples 2 cm apart drive an arc of 2.00 1/m.
+std::vector<Point> track(const Plan& plan, const sketch::Run& run, unsigned pins, bool robot_path) {
     std::vector<Point> points;
     const auto add_point = [&](Pose pose, Point rake) { points.push_back(robot_path ? pose.at : rake); };
     for (std::size_t i = run.first; i <= run.last; ++i) {
         const Sample& sample = plan.samples[i];
-        add_point(sample.pose, sample.rake);
+        add_point(sample.pose, drawn_at(plan.robot, sample, pins));
         if (run.draws || run.mask != 0 || i == run.last) continue;
         const double farthest = farthest_move(sample, plan.samples[i + 1]);
         if (!(farthest < longest_move)) continue;
@@ -76,10 +76,13 @@ std::vector<Point> track(const Plan& plan, const sketch::Run& run, bool robot_pa
 }
 
 void add_move(Text& text, const Plan& plan, const sketch::Run& run, bool robot_path) {
+    unsigned pins = 0;
     // Along a stroke with no pin down: a drawing move of width 0, "driven, but not drawn".
     if (run.mask != 0 || run.draws) {
         const bool known = run.stroke >= 0 && static_cast<std::size_t>(run.stroke) < plan.strokes.size();
         const bool fill = known && plan.strokes[static_cast<std::size_t>(run.stroke)].fill;
+        // Along a fill pins come and go while the rake keeps to its path.
+        if (!fill) pins = run.mask;
         add(text, fill ? "{\"kind\": \"draw\", \"fill\": true, \"width\": "
                        : "{\"kind\": \"draw\", \"fill\": false, \"width\": ");
         add_number(text, groove_width(plan.robot, pins_down(run.mask)));
@@ -87,7 +90,7 @@ void add_move(Text& text, const Plan& plan, const sketch::Run& run, bool robot_p
         add(text, "{\"kind\": \"travel\"");
     }
     add(text, ", \"pts\": ");
-    add_points(text, track(plan, run, robot_path));
+    add_points(text, track(plan, run, pins, robot_path));
     add(text, "}");
 }
 

@@ -4,16 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "result/legibility/details.hpp"
+
 namespace strandline::legibility {
 namespace {
-
-/// Towards a corner of angle a the medial axis's radius falls by sin(a / 2) a metre. Where it falls by more
-/// than this, the area runs out in a tip (6 degrees or more): no canvas is large enough for a point.
-constexpr double tip_slope = 0.05;
-/// Metres of a curved medial axis that one chord stands for, in pins.
-constexpr double step_in_pins = 0.5;
-/// What is thinner than this share of a pin is a flaw of the outline, not a detail.
-constexpr double least_share = 0.02;
 
 /// The widest of a closed outline, seen from its medial axis.
 double widest(const Polygon& outline, double pin, Point& at) {
@@ -47,8 +41,7 @@ class Pieces {
 
 /// Pieces of the axis that are narrower than a pin and a pin long. One that is an area by itself is as wide
 /// as its widest; one that hangs on wider sand is looked at where it does not taper, at its narrowest.
-void find_narrow(const Region& region, int element, double pin, std::vector<Detail>& details) {
-    const MedialAxis axis = medial_axis(region, step_in_pins * pin);
+void find_narrow(const MedialAxis& axis, int element, double pin, std::vector<Detail>& details) {
     const std::size_t count = axis.nodes.size();
     const auto width = [&](std::size_t k) { return 2 * axis.nodes[k].radius; };
     Pieces all(count), even(count);
@@ -98,6 +91,10 @@ const char* meaning_of(Detail::Kind kind) {
             return "a hole narrower than a pin";
         case Detail::Kind::loop:
             return "a closed line that its own groove fills";
+        case Detail::Kind::horn:
+            return "the tip of a horn, a third of its length from its end";
+        case Detail::Kind::gap:
+            return "a gap that keeps less than a pin of clean sand";
     }
     return "";
 }
@@ -122,7 +119,9 @@ Report report(const Drawing& drawing, const Robot& robot) {
         }
         const Region& region = std::get<RegionElement>(drawing.elements[e].what).region;
         if (region.outer.size() < 3) continue;
-        find_narrow(region, element, pin, report.details);
+        const MedialAxis axis = medial_axis(region, step_in_pins * pin);
+        find_narrow(axis, element, pin, report.details);
+        find_horns(axis, element, pin, report.details);
         for (const Polygon& hole : region.holes) {
             Point at{};
             const double width = widest(hole, pin, at);
@@ -130,6 +129,7 @@ Report report(const Drawing& drawing, const Robot& robot) {
                 report.details.push_back({Detail::Kind::hole, element, at, width, pin});
         }
     }
+    report.whole = find_gaps(drawing, robot, report.details);
     std::ranges::stable_sort(report.details, {}, [](const Detail& d) { return d.width / d.needed; });
     if (!report.details.empty()) report.factor = report.details.front().needed / report.details.front().width;
     return report;

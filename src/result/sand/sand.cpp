@@ -174,7 +174,8 @@ class Layer {
         if (a.mask == 0) return;
         const int element = element_of(a);
         const bool line = is_line(element);
-        if (line && a.rake != b.rake) lines_.add({a.rake, b.rake, element});
+        if (line && a.rake != b.rake)
+            lines_.add({drawn_at(plan_.robot, a, a.mask), drawn_at(plan_.robot, b, a.mask), element});
         const float now = static_cast<float>(driven_);
         const Point left0 = left_normal(unit(a.pose.heading)), left1 = left_normal(unit(b.pose.heading));
         for (const pins::Comb& comb : pins::combs_of(plan_.robot, a.mask)) {
