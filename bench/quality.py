@@ -3,12 +3,13 @@
 
 Measures what the program makes, from outside, by its commands. Two columns where a judge has cases of its own: the judge's cases and fresh
 seeded ones made here, so that nothing is tuned to the first. Without the judges' folder only the second column is filled, by the checks in
-this file. Sections: drawings, clipart, svg, tour, connect, fill, fill-vehicles, convert, simulate, and
+this file. Sections: drawings, clipart, svg, tour, connect, fill, fill-vehicles, convert, simulate, backing, and
 fill-pictures, which writes docs/fill. Needs python3; the judges need numpy and shapely.
 """
 import argparse, json, math, random, statistics, subprocess, sys, tempfile, time
 from pathlib import Path
 
+import backing as backing_up
 import connect as connections
 import converter
 import fill as fill_table
@@ -253,6 +254,10 @@ def simulate(program, shared, folder):
     simulation.report(program, shared, folder, ROOT)
 
 
+def backing(program, shared, folder):
+    backing_up.report(program, shared, folder, ROOT)
+
+
 def fill_pictures(program, shared, folder):
     import pictures  # Pillow is needed for these alone
     pictures.draw(program, folder, ROOT / "docs")
@@ -294,7 +299,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
     parser.add_argument("--shared", default=ROOT.parent / "shared", type=Path)
-    parser.add_argument("--only", default="drawings,clipart,svg,tour,connect,fill,fill-vehicles,convert,simulate")
+    parser.add_argument("--only", default="drawings,clipart,svg,tour,connect,fill,fill-vehicles,convert,simulate,backing")
     parser.add_argument("--all", action="store_true", help="connect: 100,000 pairs by the judge's rule; fill: more fresh shapes, every shape turned and scaled, 1,000 random regions")
     parser.add_argument("--lkh", help="tour: the program of LKH, to run beside ours")
     parser.add_argument("--agreement", help="the program that draws beside librsvg")

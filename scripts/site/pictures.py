@@ -158,6 +158,10 @@ def angles(s):
     return from_svg(plots.angle_grid([json.loads(line) for line in curves.splitlines()]))
 
 
+def backing(s):
+    return beside(s.rendered("starfish.svg"), s.rendered("starfish.svg", "--set", "robot.can_back_up=on"))
+
+
 def styles(s):
     pair = {"start": [0, 0, 0.6], "end": [3.2, 0.6, -1.9], "R": 0.5, "sigma": 10}
     curves = [(style, json.loads(s.run("connect", "-", "--style", style, text=json.dumps(pair), code=3))) for style in ("bounded", "fair", "spiro", "bezier")]
@@ -275,7 +279,7 @@ def words(s):
 NAMES = {"starfish": starfish, "starfish-sand": starfish_sand, "starfish-flaws": starfish_flaws, "occlusion": occlusion, "beach": beach, "plotter": plotter, "turf": turf,
          "sand-table": sand_table, "diff-drive": diff_drive, "rover": rover, "tutorial-drawing": tutorial_drawing, "tutorial-plan": tutorial_plan,
          "tutorial-sand": tutorial_sand, "tutorial-flaws": tutorial_flaws, "film": film, "tracking": tracking, "avoid": avoid, "tour": tour, "angles": angles,
-         "styles": styles, "route": route, "follow": follow, "corners": corners, "speeds": speeds, "masks": masks, "legibility": legibility, "parts": parts,
+         "styles": styles, "backing": backing, "route": route, "follow": follow, "corners": corners, "speeds": speeds, "masks": masks, "legibility": legibility, "parts": parts,
          "trace": trace, "typeset": typeset, "located": located, "curvature": curvature, "insets": insets, "broken": broken, "lion": lion, "fish": fish, "logo": logo,
          "letters": letters}
 

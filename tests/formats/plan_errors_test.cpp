@@ -58,8 +58,8 @@ TEST(PlanErrors, AMissingAnUnknownAndAMistypedFieldAreNamedByPointer) {
 
 TEST(PlanErrors, FilesWithoutTheKeysThatCameLaterAreReadWithTheirDefaults) {
     std::string text = good();
-    for (const std::string key :
-         {"\"left_radius\":0,", "\"right_radius\":0,", "\"connect.extra_length\":\"0.1\","}) {
+    for (const std::string key : {"\"can_back_up\":false,", "\"left_radius\":0,", "\"right_radius\":0,",
+                                  "\"connect.extra_length\":\"0.1\","}) {
         ASSERT_NE(text.find(key), std::string::npos) << key;
         text.erase(text.find(key), key.size());
     }

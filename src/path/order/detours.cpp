@@ -15,6 +15,8 @@ constexpr std::array<double, 5> further{0, 0.6, 1.5, 3, 6};
 constexpr double wider = 1.06;
 /// So many of the guessed detours are made.
 constexpr std::size_t most_made = 6;
+/// A robot that may back up is led round from so far behind an end, or to so far beyond it, least radii.
+constexpr std::array<double, 3> backed_out{1, 2, 4};
 /// A straight part shorter than this (least radii) holds no pose to be led through.
 constexpr double least_straight = 0.1;
 
@@ -47,6 +49,7 @@ class Chooser {
             if (other.cost < best_.cost) best_ = std::move(other);
         }
         if (best_.spoilt.metres > 0 || best_.spoilt.hard > 0) go_round(finished_.ground, tried);
+        back_out(tried);
         if (best_.spoilt.hard > 0) go_round(pairs_.hard().narrow(), tried);
         return best_;
     }
@@ -67,11 +70,29 @@ class Chooser {
         weigh(other, 0, tried);
         if (other.cost < best_.cost) best_ = std::move(other);
     }
-    void go_round(const route::Ground& ground, std::vector<Passage>& tried) {
-        route::Way way = route::way(ground, from_, to_, {.limits = options_.connect.limits});
-        Driven other{{0, 0, std::move(way.curve)}, std::move(way.through)};
+    /// `out`: metres that the robot first backs straight out, `in`: those that it backs in at the end.
+    void go_round(const route::Ground& ground, std::vector<Passage>& tried, double out = 0, double in = 0) {
+        const Pose passed = moved_on(to_.pose, in);
+        const CurvatureState from = out > 0 ? CurvatureState{moved_on(from_.pose, -out), 0} : from_,
+                             to = in > 0 ? CurvatureState{passed, 0} : to_;
+        route::Way way = route::way(ground, from, to, {.limits = options_.connect.limits});
+        Driven other;
+        if (out == 0 && in == 0) other.through = std::move(way.through);
+        if (out > 0) other.joint.curve = straight(from_.pose, -out);
+        other.joint.curve = joined(std::move(other.joint.curve), way.curve);
+        if (in > 0) other.joint.curve = joined(std::move(other.joint.curve), straight(passed, -in));
         weigh(other, 0, tried);
         if (other.cost < best_.cost) best_ = std::move(other);
+    }
+    /// Out of places that cannot be left forwards, and into those that cannot be come to.
+    void back_out(std::vector<Passage>& tried) {
+        if (!options_.connect.back_up) return;
+        for (const double radii : backed_out) {
+            const double metres = radii * options_.connect.limits.radius;
+            if (best_.spoilt.metres > 0 || best_.spoilt.hard > 0) go_round(finished_.ground, tried, metres);
+            if (best_.spoilt.metres > 0 || best_.spoilt.hard > 0)
+                go_round(finished_.ground, tried, 0, metres);
+        }
     }
     void weigh(Driven& driven, double turned, std::vector<Passage>& tried) const {
         const Curve& curve = driven.joint.curve;

@@ -16,9 +16,9 @@ namespace {
 
 /// Keys that files of this version did not always have: absent, they keep their defaults.
 bool came_later(std::string_view key) {
-    constexpr std::array<std::string_view, 11> later{"lifts",        "setback",   "fix_noise", "left_radius",
-                                                     "right_radius", "rake_side", "blemishes", "in_driven",
-                                                     "out_driven",   "border",    "keep_out"};
+    constexpr std::array<std::string_view, 12> later{"can_back_up", "lifts",        "setback",   "fix_noise",
+                                                     "left_radius", "right_radius", "rake_side", "blemishes",
+                                                     "in_driven",   "out_driven",   "border",    "keep_out"};
     return std::ranges::find(later, key) != later.end();
 }
 
