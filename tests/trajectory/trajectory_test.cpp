@@ -42,6 +42,22 @@ TEST(Trajectory, ATightTurnGetsFinerSamples) {
             << i;
 }
 
+TEST(Trajectory, ATightConnectionIsNotDrivenFasterThanTheRobotTurns) {
+    const Robot robot = *builtin_robot("diffdrive");
+    // curvature rises to 20 and falls again within 13 cm
+    const Curve peak{{{0, 0}, 0}, {{0.0667, 0, 300}, {0.0667, 20.01, -300}}};
+    const Leg leg{Motion::connect, -1, states_along(peak, 0.01), peak};
+    for (const double before : {0.0, 0.003, 0.006, 0.009, 0.012, 0.015, 0.018}) {
+        const Curve line = straight({{-before - 0.5, 0}, 0}, before + 0.5);
+        const auto samples = timed({{Motion::connect, -1, states_along(line, 0.01), line}, leg}, {}, robot);
+        for (std::size_t i = 1; i < samples.size(); ++i) {
+            const double turn = std::abs(wrap_angle(samples[i].pose.heading - samples[i - 1].pose.heading));
+            EXPECT_LE(turn, robot.turn_rate * (samples[i].t - samples[i - 1].t) * 1.01)
+                << before << ", " << i;
+        }
+    }
+}
+
 TEST(Trajectory, TheRobotStandsWhereItsCurvatureJumps) {
     const Robot robot = *builtin_robot("beachbot");
     const Curve line = straight({{0, 0}, 0}, 1), bend{{{1, 0}, 0}, {{0.5, 2, 0}}};

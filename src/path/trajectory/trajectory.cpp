@@ -14,12 +14,13 @@ namespace {
 
 // Radians between samples of a turn on the spot.
 constexpr double pivot_step = 0.1;
+// Radians turned in one step while driving.
+constexpr double most_turn = 0.1;
 
 /// Halves the step from the last of `fine` to `to` until curvature linear in between explains its headings.
 void add_refined(const Leg& leg, double from, const RobotState& to, int halvings,
                  std::vector<RobotState>& fine) {
-    // Radians turned in one step, and radians that may stay unexplained.
-    constexpr double most_turn = 0.1, most_unexplained = 0.003;
+    constexpr double most_unexplained = 0.003;  // radians
     const RobotState& last = fine.back();
     const double ds = to.s - last.s, turn = wrap_angle(to.pose.heading - last.pose.heading),
                  explained = ds * (last.curvature + to.curvature) / 2;
@@ -45,9 +46,11 @@ int parts_in(double metres, double step) {
     return std::max(2, static_cast<int>(std::ceil(metres / step - 1e-9)));
 }
 
-/// Along one section of a leg's curve.
+/// Along one section of a leg's curve. Its tightest bend sets the step: between samples farther apart it
+/// would be tighter than both say, and driven too fast.
 std::vector<RobotState> evenly(const Curve& section, double step) {
     std::vector<RobotState> states;
+    step = std::min(step, most_turn / std::max(max_curvature(section), most_turn / step));
     for (const CurvePoint& p : sampled(section, step, parts_in(length(section), step) + 1))
         states.push_back({p.s, p.pose, p.curvature});
     return states;
