@@ -83,8 +83,8 @@ drive::Drive drive_chain(const std::vector<Planned>& chain, const std::vector<St
             deal_out(leg, stretches, at, arc, robot, legs);
         } else {
             legs.push_back(leg);
-            // What turns into a gap is the end of the stroke before it.
-            const std::size_t own = stretches[at].stroke < 0 ? at - 1 : at;
+            // A gap is none: what turns into it leads to the stroke behind it.
+            const std::size_t own = stretches[at].stroke < 0 ? at + 1 : at;
             if (leg.motion != Motion::lead) legs.back().stroke = stretches[own].stroke;
         }
     }
