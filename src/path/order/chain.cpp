@@ -12,6 +12,12 @@ struct Stretch {
     int stroke;
 };
 
+/// A corner at the start of a gap belongs to the stroke that it leads to.
+int stroke_at(const std::vector<Stretch>& stretches, std::size_t at) {
+    while (at + 1 < stretches.size() && stretches[at].stroke < 0) ++at;
+    return stretches[at].stroke;
+}
+
 /// Deals a drawn leg out to the stretches it passes. `travelled`: rake arc length at the leg's start, moved
 /// on.
 void deal_out(const Leg& leg, const std::vector<Stretch>& stretches, std::size_t& at, double& travelled,
@@ -75,17 +81,16 @@ drive::Drive drive_chain(const std::vector<Planned>& chain, const std::vector<St
                    {travelled, end_pose(whole.rake_path.back()).at, -1}};
     drive::Drive driven = drive::drive(whole, chain.front().stroke, 0, false, robot, options);
     if (chain.size() == 1) return driven;
+    const Robot along = steered(whole, robot);
     std::vector<Leg> legs;
     std::size_t at = 0;
     double arc = 0;
     for (const Leg& leg : driven.legs) {
         if (leg.motion == Motion::draw) {
-            deal_out(leg, stretches, at, arc, robot, legs);
+            deal_out(leg, stretches, at, arc, along, legs);
         } else {
             legs.push_back(leg);
-            // A gap is none: what turns into it leads to the stroke behind it.
-            const std::size_t own = stretches[at].stroke < 0 ? at + 1 : at;
-            if (leg.motion != Motion::lead) legs.back().stroke = stretches[own].stroke;
+            if (leg.motion != Motion::lead) legs.back().stroke = stroke_at(stretches, at);
         }
     }
     driven.legs = std::move(legs);
