@@ -81,13 +81,12 @@ drive::Drive drive_chain(const std::vector<Planned>& chain, const std::vector<St
                    {travelled, end_pose(whole.rake_path.back()).at, -1}};
     drive::Drive driven = drive::drive(whole, chain.front().stroke, 0, false, robot, options);
     if (chain.size() == 1) return driven;
-    const Robot along = steered(whole, robot);
     std::vector<Leg> legs;
     std::size_t at = 0;
     double arc = 0;
     for (const Leg& leg : driven.legs) {
         if (leg.motion == Motion::draw) {
-            deal_out(leg, stretches, at, arc, along, legs);
+            deal_out(leg, stretches, at, arc, robot, legs);
         } else {
             legs.push_back(leg);
             if (leg.motion != Motion::lead) legs.back().stroke = stroke_at(stretches, at);
