@@ -1,7 +1,6 @@
 // What a simulation found, for a person.
 #include <fmt/format.h>
 
-#include "base/text/text.hpp"
 #include "summary.hpp"
 
 namespace strandline::cli {
@@ -43,11 +42,10 @@ std::string fidelity_rows(const fidelity::Report& r) {
 std::string legibility_rows(const Drawing& drawing, const legibility::Report& report, bool all) {
     if (report.details.empty()) return "";
     std::string text =
-        row("legibility",
-            fmt::format("{} finer than the rake; all survive on a canvas of "
-                        "{:.1f} x {:.1f} m",
-                        counted(report.details.size(), "detail is", "details are"),
-                        report.factor * drawing.canvas.width, report.factor * drawing.canvas.height));
+        row("legibility", fmt::format("{} details are finer than the rake; all survive on a canvas of "
+                                      "{:.1f} x {:.1f} m",
+                                      report.details.size(), report.factor * drawing.canvas.width,
+                                      report.factor * drawing.canvas.height));
     if (!all) return text;
     for (const legibility::Detail& detail : report.details)
         text += fmt::format("  {} at ({:.2f}, {:.2f}): {}, {:.3g} cm where {:.3g} cm are needed\n",
