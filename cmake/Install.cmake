@@ -4,23 +4,27 @@ include(GNUInstallDirs)
 install(TARGETS strandline)
 # The editor's pages, which npm builds and CMake does not: ./run serve or scripts/package have made them.
 if(STRANDLINE_EDITOR)
-  install(CODE "if(NOT EXISTS ${CMAKE_SOURCE_DIR}/web/dist/index.html)
+  install(CODE "if(NOT EXISTS [==[${CMAKE_SOURCE_DIR}/web/dist/index.html]==])
     message(WARNING \"the editor's pages are not built, so strandline serve will have none: cd web && npm ci && npm run build\")
   endif()")
-  install(DIRECTORY web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/strandline/web OPTIONAL)
+  install(DIRECTORY web/dist/ DESTINATION "${CMAKE_INSTALL_DATADIR}/strandline/web" OPTIONAL)
 endif()
 
-# The program prints its own manual page and completion. Another processor's program does so by an emulator.
-set(manual ${CMAKE_CURRENT_BINARY_DIR}/manual)
-install(CODE "file(MAKE_DIRECTORY ${manual})
-  execute_process(COMMAND ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:strandline> manual man OUTPUT_FILE ${manual}/strandline.1 COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(COMMAND ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:strandline> manual bash OUTPUT_FILE ${manual}/strandline COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(COMMAND gzip -9nf ${manual}/strandline.1 COMMAND_ERROR_IS_FATAL ANY)")
-install(FILES ${manual}/strandline.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES ${manual}/strandline DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+# The program prints its own manual page and completion, when everything is built (or the target `manual`): another processor's program
+# does so by CMAKE_CROSSCOMPILING_EMULATOR, and nothing of it runs while it is installed.
+set(manual "${CMAKE_CURRENT_BINARY_DIR}/manual")
+file(MAKE_DIRECTORY "${manual}")
+add_custom_command(OUTPUT "${manual}/strandline.1.gz" "${manual}/strandline"
+  COMMAND strandline manual man > "${manual}/strandline.1"
+  COMMAND gzip -9nf "${manual}/strandline.1"
+  COMMAND strandline manual bash > "${manual}/strandline"
+  DEPENDS strandline VERBATIM COMMENT "Writing the manual page and the completion")
+add_custom_target(manual ALL DEPENDS "${manual}/strandline.1.gz" "${manual}/strandline")
+install(FILES "${manual}/strandline.1.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+install(FILES "${manual}/strandline" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 
-install(FILES README.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs drawings DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md packaging/copyright DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY docs drawings DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "Strandline")

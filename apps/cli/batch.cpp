@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/text/text.hpp"
 #include "console.hpp"
 #include "summary.hpp"
 
@@ -43,7 +44,7 @@ const char* name_of(State state) {
 
 std::string table_text(const BatchItem& item) {
     const bool faulty = has_plan(item) && item.figures.faults > 0;
-    return name_of(item.state) + (faulty ? fmt::format(", {} faults", item.figures.faults) : "");
+    return name_of(item.state) + (faulty ? ", " + counted(item.figures.faults, "fault") : "");
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ Outcome<std::vector<BatchItem>> batch_items(const std::vector<std::string>& inpu
 
 std::string outcome_text(const BatchItem& item) {
     if (!has_plan(item)) return name_of(item.state);
-    return fmt::format("{}; {} elements, {:.2f} m, {}", table_text(item), item.figures.elements,
+    return fmt::format("{}; {}, {:.2f} m, {}", table_text(item), counted(item.figures.elements, "element"),
                        item.figures.drawn, duration(item.figures.time));
 }
 

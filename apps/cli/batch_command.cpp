@@ -47,19 +47,17 @@ struct Job {
 
 Outcome<void> make(Job& job, const std::string& bytes, const Batch& batch) {
     const std::string title = file_name(job.item.input);
-    const auto& tour = batch.asked.wishes.options.tour;
-    const Progress progress = limited(batch.progress, tour.time_limit, tour.threads);
     const auto refused = [&](const Error& error) {
         return tl::unexpected(in_file(error, title, job.item.input));
     };
     const auto document = read_source({bytes, job.item.input}, batch.asked.wishes.options);
     if (!document) return refused(document.error());
-    const auto made = planned(*document, title, batch.asked, progress);
-    if (!made) return refused(made.error());
-    if (batch.progress.stopped()) {
+    const auto made = planned(*document, title, batch.asked, batch.progress);
+    if (batch.progress.stopped()) {  // what it could not do then, it may do when it is called again
         job.item.state = State::stopped;
         return {};
     }
+    if (!made) return refused(made.error());
     const std::string text = formats::write_plan(*made);
     if (const auto written = write_output(job.item.output, text); !written) return written;
     const check::Report report = check::prove(*made);
@@ -139,6 +137,8 @@ void work(Batch& batch) {
         } catch (const std::bad_alloc&) {
             fine = fail(job.item.input, "not enough memory for this input",
                         "make it simpler, or plan fewer at once (-j)");
+        } catch (const std::exception& error) {  // not foreseen: the other drawings shall not suffer
+            fine = fail(job.item.input, error.what(), "report this with the drawing");
         }
         const std::lock_guard lock(batch.mutex);
         if (!fine) {
@@ -172,10 +172,13 @@ Outcome<void> fit_for_batch(const BatchArguments& batch, const PlanArguments& ea
 }
 
 Outcome<void> folder_ready(const std::string& folder) {
-    std::error_code code;
-    fs::create_directories(folder, code);
-    if (fs::is_directory(folder)) return {};
-    return fail("--out-dir " + folder, "is no folder and cannot be made one", "choose another name");
+    std::error_code made, looked;
+    fs::create_directories(folder, made);
+    if (fs::is_directory(folder, looked)) return {};
+    const std::error_code why = made ? made : looked;
+    return fail("--out-dir " + folder,
+                "is no folder and cannot be made one" + (why ? ": " + why.message() : ""),
+                "choose another name");
 }
 
 }  // namespace
@@ -193,7 +196,6 @@ int plan_all(const BatchArguments& arguments, const PlanArguments& each, const C
     auto items = batch_items(arguments.inputs, arguments.folder);
     if (!items) return complain(items.error(), bad_call);
     if (const auto ready = folder_ready(arguments.folder); !ready) return complain(ready.error(), bad_call);
-    warn(asked->wishes.warnings, common.quiet);
 
     Batch batch{*asked,
                 arguments,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/text/text.hpp"
 #include "base/units/units.hpp"
 #include "commands.hpp"
 #include "connect_stage.hpp"
@@ -95,7 +96,7 @@ int connect(const ConnectArguments& arguments, const Common& common) {
     if (const auto written = write_output(arguments.output, out); !written)
         return complain(written.error(), bad_input);
     if (!common.quiet)
-        fmt::print(stderr, "{} curves{}{}{}\n", pairs->size(),
+        fmt::print(stderr, "{}{}{}{}\n", counted(pairs->size(), "curve"),
                    fallbacks ? fmt::format(", {} of them bounded because {} breaks a limit there", fallbacks,
                                            arguments.style)
                              : "",

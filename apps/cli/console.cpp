@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -80,7 +81,9 @@ Outcome<Staged> staged(const std::string& path, std::string_view bytes) {
         return Staged{};
     }
     const std::string place = fs::exists(status) ? fs::canonical(path, code).string() : path;
-    Staged file{place + ".part" + std::to_string(getpid()), place};
+    // Apart from other programs and from other threads that write the same name.
+    static std::atomic<unsigned> written = 0;
+    Staged file{fmt::format("{}.part{}-{}", place, getpid(), ++written), place};
     if (const auto done = write_stream(file.temporary, path, bytes); !done) {
         std::remove(file.temporary.c_str());
         return tl::unexpected(done.error());

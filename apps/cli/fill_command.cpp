@@ -5,6 +5,7 @@
 #include <span>
 
 #include "arguments.hpp"
+#include "base/text/text.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "fill_stage.hpp"
@@ -23,12 +24,12 @@ void print_account(const rake::Account& account, std::size_t strokes, const Fill
         fmt::print(arguments.output == "-" ? stderr : stdout, "{}", stages::write_account(account));
         return;
     }
-    fmt::print(
-        stderr,
-        "{:.2f} % raked, {:.2f} % twice, {:.2f} % outside; raked length x width / area = {:.3f}\n"
-        "{} strokes, {} rake-up moves over a width, {} shorter; {} drives over finished sand ({:.3g})\n",
-        100 * account.coverage, 100 * account.overdraw, 100 * account.spill, account.ratio, strokes,
-        account.hops, account.pivots, account.drives_over, account.driven_over);
+    fmt::print(stderr,
+               "{:.2f} % raked, {:.2f} % twice, {:.2f} % outside; raked length x width / area = {:.3f}\n"
+               "{}, {} over a width, {} shorter; {} over finished sand ({:.3g})\n",
+               100 * account.coverage, 100 * account.overdraw, 100 * account.spill, account.ratio,
+               counted(strokes, "stroke"), counted(account.hops, "rake-up move"), account.pivots,
+               counted(account.drives_over, "drive"), account.driven_over);
     const std::size_t named =
         common.verbose ? account.gaps.size() : std::min(most_gaps_named, account.gaps.size());
     for (const rake::Gap& gap : std::span(account.gaps).first(named))

@@ -2,6 +2,7 @@
 // exit code.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <system_error>
@@ -194,6 +195,9 @@ Ctrl-C ended.)");
         return finished(chosen());
     } catch (const std::bad_alloc&) {
         return complain({"", "not enough memory for this input", "make it simpler"}, bad_input);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return complain({error.path1().string(), error.code().message(), "check the name and the rights"},
+                        bad_input);
     } catch (const std::system_error& error) {  // printing to a full disk
         return complain({"stdout", std::string("cannot be written: ") + error.what(), "check the space left"},
                         bad_input);

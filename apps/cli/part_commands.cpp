@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/text/text.hpp"
 #include "base/units/units.hpp"
 #include "commands.hpp"
 #include "console.hpp"
@@ -39,7 +40,7 @@ Outcome<parts::From> read_from(const std::string& text) {
 }
 
 std::string drawn_text(const Plan& plan) {
-    return fmt::format("{} strokes, {:.1f} m drawn, {}", plan.strokes.size(), plan.figures.drawn,
+    return fmt::format("{}, {:.1f} m drawn, {}", counted(plan.strokes.size(), "stroke"), plan.figures.drawn,
                        duration(plan.figures.time));
 }
 

@@ -90,8 +90,7 @@ int plan(const PlanArguments& arguments, const Common& common) {
     if (const auto apart = outputs_apart(arguments); !apart) return complain(apart.error(), bad_call);
     const Wishes& wishes = asked->wishes;
     const bool lettering = !arguments.lettering.text.empty();
-    const Progress progress =
-        limited(console_progress(common.quiet), wishes.options.tour.time_limit, wishes.options.tour.threads);
+    const Progress progress = console_progress(common.quiet);
     const auto document = lettering ? lettered(arguments.lettering) : read_drawing(arguments, wishes.options);
     const std::string title = lettering                ? "text"
                               : arguments.input == "-" ? "stdin"
@@ -123,7 +122,6 @@ int plan(const PlanArguments& arguments, const Common& common) {
         if (const auto done = write_parts(*made, limit, arguments.output, common.quiet); !done)
             return complain(done.error(), bad_input);
 
-    warn(wishes.warnings, common.quiet);
     warn(made->warnings, common.quiet);
     for (const std::string& idle : made->idle_edits)
         if (!common.quiet) fmt::print(stderr, "warning: {}\n", idle);

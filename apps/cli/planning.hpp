@@ -16,8 +16,11 @@ struct Asked {
 /// Error: the call is at fault.
 Outcome<Asked> asked_of(const PlanArguments& arguments);
 
-/// The plan that is asked for, signed by this program. Errors as make_plan, and --max-time that cannot be
-/// kept.
+/// The plan that is asked for, signed by this program; what the wishes took for granted comes first in its
+/// warnings. `progress`: the user's, without a limit of time: that of tour.time_limit is set here, anew for
+/// each size that --max-time tries. Errors as make_plan, and --max-time that cannot be kept, or was stopped
+/// before a size that fits was found; stopped later, the plan is the largest so far, not reproducible, and
+/// warns.
 Outcome<Plan> planned(const svg::Document& document, const std::string& title, const Asked& asked,
                       const Progress& progress);
 

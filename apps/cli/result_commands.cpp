@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "arguments.hpp"
+#include "base/text/text.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "result/check/check.hpp"
@@ -39,9 +40,8 @@ int check(const CheckArguments& arguments, const Common& common) {
         fmt::print("{}", places(*plan, report, common.verbose));
         for (const check::Blemish& b : report.blemishes)
             if (common.verbose)
-                fmt::print(
-                    "blemish: at ({:.2f}, {:.2f}) after {:.0f} s: {} crossings, {:.3f} m^2 of element {}\n",
-                    b.at.x, b.at.y, b.t, b.crossings, b.area, b.element);
+                fmt::print("blemish: at ({:.2f}, {:.2f}) after {:.0f} s: {}, {:.3f} m^2 of element {}\n",
+                           b.at.x, b.at.y, b.t, counted(b.crossings, "crossing"), b.area, b.element);
     }
     return report.sound() ? done : falls_short;
 }

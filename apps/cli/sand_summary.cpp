@@ -1,6 +1,7 @@
 // What a simulation found, for a person.
 #include <fmt/format.h>
 
+#include "base/text/text.hpp"
 #include "summary.hpp"
 
 namespace strandline::cli {
@@ -43,9 +44,10 @@ std::string legibility_rows(const Drawing& drawing, const legibility::Report& re
     if (report.details.empty()) return "";
     std::string text =
         row("legibility",
-            fmt::format("{}{} details are finer than the rake; all survive on a canvas of "
+            fmt::format("{}{} finer than the rake; all survive on a canvas of "
                         "{:.1f} x {:.1f} m",
-                        report.whole ? "" : "at least ", report.details.size(),
+                        report.whole ? "" : "at least ",
+                        counted(report.details.size(), "detail is", "details are"),
                         report.factor * drawing.canvas.width, report.factor * drawing.canvas.height));
     if (!all) return text;
     const auto name = [&](int element) { return drawing.elements[static_cast<std::size_t>(element)].id; };

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/text.hpp"
+
 namespace strandline::cli {
 namespace {
 
@@ -42,14 +44,15 @@ std::string summary(const Plan& plan, const check::Report& report) {
     };
     row("scale", scale_text(plan));
     row("robot", plan.robot.name);
-    row("elements", fmt::format("{} lines, {} areas; {} strokes", f.lines, f.regions, f.strokes));
+    row("elements", fmt::format("{}, {}; {}", counted(f.lines, "line"), counted(f.regions, "area"),
+                                counted(f.strokes, "stroke")));
     const DrawingCounts& c = plan.drawing.counts;
-    row("drawing",
-        fmt::format("{} shapes; {} joined, {} duplicates, {} merged, {} cut; left out: {} hidden, "
-                    "{} bare, {} too short, "
-                    "{} too small{}",
-                    c.shapes, c.joined, c.duplicates, c.merged, c.cut, c.hidden, c.bare, c.too_short,
-                    c.too_small, c.unchosen > 0 ? fmt::format(", {} not chosen", c.unchosen) : ""));
+    row("drawing", fmt::format("{}; {} joined, {}, {} merged, {} cut; left out: {} hidden, "
+                               "{} bare, {} too short, "
+                               "{} too small{}",
+                               counted(c.shapes, "shape"), c.joined, counted(c.duplicates, "duplicate"),
+                               c.merged, c.cut, c.hidden, c.bare, c.too_short, c.too_small,
+                               c.unchosen > 0 ? fmt::format(", {} not chosen", c.unchosen) : ""));
     row("drawn", fmt::format("{:.2f} m of rake path", f.drawn));
     row("rake up",
         fmt::format("{:.2f} m straight / {:.2f} m Dubins bound / {:.2f} m driven{}", f.up_straight,
@@ -59,27 +62,28 @@ std::string summary(const Plan& plan, const check::Report& report) {
         row("in and out", fmt::format("{:.2f} m of that to the first stroke, {:.2f} m from the last one",
                                       f.in_driven, f.out_driven));
     row("order", std::string(f.tour_proven ? "proven optimal for straight gaps" : "searched") +
-                     (f.tour_parts > 0 ? fmt::format(" in {} parts of neighbours, {:.2f} m longer (straight)",
-                                                     f.tour_parts, f.tour_longer)
-                                       : "") +
+                     (f.tour_parts > 0
+                          ? fmt::format(" in {}, {:.2f} m longer (straight)",
+                                        counted(f.tour_parts, "part of neighbours", "parts of neighbours"),
+                                        f.tour_longer)
+                          : "") +
                      (f.reproducible ? "" : ", stopped early: not reproducible"));
     row("time", duration(f.time));
     if (f.regions > 0) {
         row("fills",
             fmt::format("as planned {:.2f} % raked, {:.2f} % twice, {:.2f} % outside; length x width / "
-                        "area {:.3f}; {} hops, {} drives over finished sand; {} bare places",
+                        "area {:.3f}; {}, {} over finished sand; {}",
                         100 * f.fill_coverage, 100 * f.fill_overdraw, 100 * f.fill_spill,
-                        f.fill_area > 0 ? f.fill_swept / f.fill_area : 0, f.fill_hops, f.fill_drives_over,
-                        plan.bare.size()));
-        row("areas", fmt::format("as driven {:.1f} % raked, {:.1f} % twice, {:.1f} % outside; {} bare places",
+                        f.fill_area > 0 ? f.fill_swept / f.fill_area : 0, counted(f.fill_hops, "hop"),
+                        counted(f.fill_drives_over, "drive"), counted(plan.bare.size(), "bare place")));
+        row("areas", fmt::format("as driven {:.1f} % raked, {:.1f} % twice, {:.1f} % outside; {}",
                                  100 * report.coverage, 100 * report.overdraw, 100 * report.spill,
-                                 report.bare.size()));
+                                 counted(report.bare.size(), "bare place")));
     }
     row("blemishes",
-        fmt::format(
-            "{} crossings of finished lines; {:.2f} m over finished areas between strokes; {:.2f} m^2 of "
-            "finished sand driven over in all",
-            report.crossings, report.over_finished, report.driven_over));
+        fmt::format("{} of finished lines; {:.2f} m over finished areas between strokes; {:.2f} m^2 of "
+                    "finished sand driven over in all",
+                    counted(report.crossings, "crossing"), report.over_finished, report.driven_over));
     row("corners", corners(f));
     row("tightest", plan.robot.min_radius > 0
                         ? fmt::format("{:.2f} 1/m rake up (limit {:.2f}), {:.2f} 1/m drawing", f.tightest_up,
@@ -88,10 +92,10 @@ std::string summary(const Plan& plan, const check::Report& report) {
     for (const Stop& stop : plan.stops)
         row("stop",
             fmt::format("{}: before stroke {}, after {}", stop.why, stop.stroke, duration(stop.time)));
-    row("fallbacks", fmt::format("{}; {} gaps joined directly; {} spans that cannot be driven", f.fallbacks,
-                                 f.direct, plan.undrivable.size()));
+    row("fallbacks", fmt::format("{}; {} joined directly; {} that cannot be driven", f.fallbacks,
+                                 counted(f.direct, "gap"), counted(plan.undrivable.size(), "span")));
     row("warnings", fmt::format("{}", plan.warnings.size() + plan.idle_edits.size()));
-    row("check", report.sound() ? "sound" : fmt::format("{} faults", report.faults.size()));
+    row("check", report.sound() ? "sound" : counted(report.faults.size(), "fault"));
     return text;
 }
 
@@ -119,17 +123,20 @@ std::string places(const Plan& plan, const check::Report& report, bool all) {
 
 std::string shortcomings(const Plan& plan, const check::Report& report) {
     std::string text;
-    const auto say = [&](std::size_t count, std::string_view what) {
-        if (count > 0) text += fmt::format("strict: {}\n", fmt::format(fmt::runtime(what), count));
+    const auto say = [&](std::size_t count, std::string_view sentence, const std::string& one,
+                         const std::string& many = "") {
+        if (count > 0)
+            text +=
+                fmt::format("strict: {}\n", fmt::format(fmt::runtime(sentence), counted(count, one, many)));
     };
-    say(report.faults.size(), "check finds {} faults");
-    say(static_cast<std::size_t>(plan.figures.fallbacks),
-        "{} things are done otherwise than asked: see the warnings");
-    say(plan.undrivable.size(), "along {} spans the rake cannot follow its path (-v lists them)");
-    say(plan.idle_edits.size(), "{} edits find no place: see the warnings");
+    say(report.faults.size(), "check finds {}", "fault");
+    say(static_cast<std::size_t>(plan.figures.fallbacks), "{} done otherwise than asked: see the warnings",
+        "thing is", "things are");
+    say(plan.undrivable.size(), "along {} the rake cannot follow its path (-v lists them)", "span");
+    say(plan.idle_edits.size(), "{} no place: see the warnings", "edit finds", "edits find");
     say(report.blemishes.size(),
-        "finished sand is driven over, or finished lines are crossed, at {} places (strandline check -v "
-        "lists them)");
+        "finished sand is driven over, or finished lines are crossed, at {} (strandline check -v lists them)",
+        "place");
     return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/text/text.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "fonts.hpp"
@@ -43,7 +44,8 @@ int text(const TextArguments& arguments, const Common& common) {
                    "{{\"strokes\":{},\"width\":{},\"height\":{}}}\n", document->shapes.size(), size.x,
                    size.y);
     else if (!common.quiet)
-        fmt::print(stderr, "{} strokes, {:.4g} m x {:.4g} m\n", document->shapes.size(), size.x, size.y);
+        fmt::print(stderr, "{}, {:.4g} m x {:.4g} m\n", counted(document->shapes.size(), "stroke"), size.x,
+                   size.y);
     return done;
 }
 

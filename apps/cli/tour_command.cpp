@@ -4,6 +4,7 @@
 #include <ctime>
 #include <optional>
 
+#include "base/text/text.hpp"
 #include "base/units/units.hpp"
 #include "commands.hpp"
 #include "console.hpp"
@@ -28,15 +29,15 @@ void print_figures(const tour::Tour& tour, const std::optional<tour::Entries>& e
                    entries ? fmt::format("\"length_on_edges\": {}, ", number_text(entries->length)) : "",
                    cpu_time());
     } else if (!common.quiet) {
-        fmt::print(stderr, "rake up {:.3f}{}, {} elements, {} moves{}\n", tour.length,
-                   tour.proven_optimal ? " (proven optimal)" : "", tour.steps.size(), tour.moves,
-                   tour.stopped ? ", stopped: another run may differ" : "");
+        fmt::print(stderr, "rake up {:.3f}{}, {}, {}{}\n", tour.length,
+                   tour.proven_optimal ? " (proven optimal)" : "", counted(tour.steps.size(), "element"),
+                   counted(tour.moves, "move"), tour.stopped ? ", stopped: another run may differ" : "");
         if (entries)
             fmt::print(stderr, "with entries on edges {:.3f} ({:.2f} % shorter)\n", entries->length,
                        tour.length > 0 ? 100 * (1 - entries->length / tour.length) : 0);
         if (!tour.groups.empty())
-            fmt::print(stderr, "in {} groups of neighbours: {:.3f} longer than without ({:.1f} %)\n",
-                       tour.groups.size(), tour.length - tour.ungrouped,
+            fmt::print(stderr, "in {} of neighbours: {:.3f} longer than without ({:.1f} %)\n",
+                       counted(tour.groups.size(), "group"), tour.length - tour.ungrouped,
                        tour.ungrouped > 0 ? 100 * (tour.length / tour.ungrouped - 1) : 0);
     }
 }

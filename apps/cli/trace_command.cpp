@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "arguments.hpp"
+#include "base/text/text.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "plan/pipeline/pipeline.hpp"
@@ -44,9 +45,9 @@ int trace(const TraceArguments& arguments, const Common& common) {
                    "{{\"width\":{},\"height\":{},\"threshold\":{:.4f},\"regions\":{},\"holes\":{}}}\n",
                    view.width(), view.height(), traced->threshold, regions, traced->holes);
     else if (!common.quiet)
-        fmt::print(stderr, "{} x {} pixels, threshold {:.3f}{}: {} regions, {} holes\n", view.width(),
-                   view.height(), traced->threshold, options->trace.threshold == 0 ? " (found)" : "", regions,
-                   traced->holes);
+        fmt::print(stderr, "{} x {} pixels, threshold {:.3f}{}: {}, {}\n", view.width(), view.height(),
+                   traced->threshold, options->trace.threshold == 0 ? " (found)" : "",
+                   counted(regions, "region"), counted(traced->holes, "hole"));
     return done;
 }
 

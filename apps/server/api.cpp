@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "answers.hpp"
@@ -35,27 +36,37 @@ Reply changed(const Outcome<long long>& revision) {
     return json_reply(200, fmt::format("{{\"revision\":{}}}", *revision));
 }
 
+std::string etag_of(const std::string& tag) { return "\"" + tag + "\""; }
+
+/// "As you have it", where the call says that it has this.
+std::optional<Reply> known_reply(const std::string& tag, const std::string& type, const Call& call) {
+    const auto known = call.headers.find("if-none-match");
+    if (known == call.headers.end() || known->second != etag_of(tag)) return std::nullopt;
+    return Reply{304, type, "", {{"ETag", etag_of(tag)}, {"Cache-Control", "no-cache"}}};
+}
+
 /// A part of the plan, or nothing but "as you have it".
 Reply part_reply(const Part& part, const Call& call) {
     if (part.tag.empty()) return refusal(404, {"report", "is not made yet", "wait for the next event"});
-    const std::string tag = "\"" + part.tag + "\"";
-    const auto known = call.headers.find("if-none-match");
-    const bool same = known != call.headers.end() && known->second == tag;
-    return {
-        same ? 304 : 200, part.type, same ? "" : part.bytes, {{"ETag", tag}, {"Cache-Control", "no-cache"}}};
+    if (auto known = known_reply(part.tag, part.type, call)) return *std::move(known);
+    return {200, part.type, part.bytes, {{"ETag", etag_of(part.tag)}, {"Cache-Control", "no-cache"}}};
 }
 
 /// All samples, or what makes them of those that the page has ("since": their tag), where they are known
 /// still.
 Reply samples_reply(const Planned& planned, const Call& call) {
+    constexpr const char* type = "application/octet-stream";
     const SampleRow& row = *planned.samples;
+    if (auto known = known_reply(row.tag, type, call)) return *std::move(known);
     const std::string since = value_in(call.query, "since", "");
     const SampleRow* base = row.tag == since ? &row : nullptr;
     for (const auto& before : planned.before)
         if (base == nullptr && before->tag == since) base = before.get();
-    Reply reply = part_reply({splice_text(row, base), "application/octet-stream", row.tag}, call);
-    if (base) reply.headers["Cache-Control"] = "no-store";  // good for one page, once
-    return reply;
+    // What makes it of another is good for one page, once.
+    return {200,
+            type,
+            splice_text(row, base),
+            {{"ETag", etag_of(row.tag)}, {"Cache-Control", base ? "no-store" : "no-cache"}}};
 }
 
 Reply edit(Workspace& workspace, const Call& call) {

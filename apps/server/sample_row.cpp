@@ -71,6 +71,12 @@ Chunk chunk_of(std::span<const Sample> samples, double t, int stroke) {
     return chunk;
 }
 
+/// Two that differ may have one hash.
+bool same_chunk(const Chunk& a, const Chunk& b) {
+    return &a == &b || (a.hash == b.hash && a.count == b.count && a.columns == b.columns &&
+                        a.mask == b.mask && a.stroke == b.stroke && a.motion == b.motion);
+}
+
 bool between(const Sample& sample) { return sample.motion == Motion::connect; }
 
 template <class Number>
@@ -97,9 +103,11 @@ std::vector<Range> ranges_of(const SampleRow& row, const SampleRow& base, std::v
     for (const PlacedChunk& placed : row.chunks) {
         const Chunk& chunk = *placed.chunk;
         std::size_t same = next;
-        if (same >= unknown || base.chunks[same].chunk->hash != chunk.hash) {
+        if (same >= unknown || !same_chunk(*base.chunks[same].chunk, chunk)) {
             const auto found = known.find(chunk.hash);
-            same = found == known.end() ? unknown : found->second;
+            same = found == known.end() || !same_chunk(*base.chunks[found->second].chunk, chunk)
+                       ? unknown
+                       : found->second;
         }
         if (same == unknown) {
             ranges.push_back({placed.t, placed.stroke, chunk.count, -1});
@@ -152,11 +160,8 @@ std::shared_ptr<const SampleRow> RowMaker::row_of(const Plan& plan) {
         for (std::size_t i = end; i-- > first;)
             if (samples[i].stroke >= 0) stroke = samples[i].stroke;
         const double t = samples[first].t;
-        Chunk made = chunk_of({samples.data() + first, end - first}, t, stroke);
-        const auto known = by_hash_.find(made.hash);
         row.chunks.push_back(
-            {known != by_hash_.end() ? known->second : std::make_shared<const Chunk>(std::move(made)), t,
-             stroke, first});
+            {kept_or(chunk_of({samples.data() + first, end - first}, t, stroke)), t, stroke, first});
         first = end;
     }
     by_piece_.clear();
@@ -170,11 +175,8 @@ std::shared_ptr<const SampleRow> RowMaker::row_of(const std::vector<trajectory::
     for (const trajectory::Placed& placed : pieces) {
         Made& made = by_piece_[placed.piece.get()];
         if (!made.chunk) {
-            Chunk chunk = chunk_of(placed.piece->samples, 0, 0);
-            const auto known = by_hash_.find(chunk.hash);
             made.piece = placed.piece;
-            made.chunk =
-                known != by_hash_.end() ? known->second : std::make_shared<const Chunk>(std::move(chunk));
+            made.chunk = kept_or(chunk_of(placed.piece->samples, 0, 0));
         }
         made.used = true;
         row.chunks.push_back({made.chunk, placed.t, placed.stroke, first});
@@ -182,6 +184,13 @@ std::shared_ptr<const SampleRow> RowMaker::row_of(const std::vector<trajectory::
     }
     std::erase_if(by_piece_, [](const auto& entry) { return !entry.second.used; });
     return finished(std::move(row));
+}
+
+/// The same as in the row before, or this one.
+std::shared_ptr<const Chunk> RowMaker::kept_or(Chunk made) const {
+    const auto known = by_hash_.find(made.hash);
+    if (known != by_hash_.end() && same_chunk(*known->second, made)) return known->second;
+    return std::make_shared<const Chunk>(std::move(made));
 }
 
 std::shared_ptr<const SampleRow> RowMaker::finished(SampleRow row) {

@@ -20,7 +20,7 @@ struct Chunk {
     std::vector<std::int32_t> stroke;  ///< -1: none
     std::vector<std::uint8_t> motion;
     std::vector<sketch::Run> runs;  ///< from sample to sample, the last one to what comes next
-    std::uint64_t hash = 0;         ///< of all of it
+    std::uint64_t hash = 0;         ///< of all but the runs, which follow from it
 };
 struct PlacedChunk {
     std::shared_ptr<const Chunk> chunk;
@@ -45,6 +45,7 @@ class RowMaker {
     std::shared_ptr<const SampleRow> row_of(const std::vector<trajectory::Placed>& pieces);
 
   private:
+    std::shared_ptr<const Chunk> kept_or(Chunk made) const;
     std::shared_ptr<const SampleRow> finished(SampleRow row);
     struct Made {
         std::shared_ptr<const trajectory::Piece> piece;

@@ -161,42 +161,36 @@ Outcome<Draft> Workspace::draft_or_plan(const State& state, bool draft, const Pr
     return Draft{std::move(*plan), {}};
 }
 
-/// False: there is no plan, or nobody waits for it any more.
+/// False: there is no plan, or nobody waits for it any more. Nothing is thrown out of here: it is the
+/// thread's last function.
 bool Workspace::plan_and_publish(const State& state, long long revision, const std::atomic<bool>& stop,
                                  bool draft) {
-    Outcome<Draft> made;
-    const bool bare = is_bare(state);
     try {
-        if (bare)
-            made = fail("drawing", "nothing is drawn yet", "draw, write, or drop a drawing here");
-        else
-            made =
-                draft_or_plan(state, draft, progress_to(hub_, revision, stop, state.options.tour.time_limit));
+        if (is_bare(state))
+            return !stop && refuse({"drawing", "nothing is drawn yet", "draw, write, or drop a drawing here"},
+                                   revision);
+        auto made =
+            draft_or_plan(state, draft, progress_to(hub_, revision, stop, state.options.tour.time_limit));
+        if (stop) return false;
+        if (!made) return refuse(made.error(), revision);
+        return publish(with_parts(std::move(*made), revision), draft);
     } catch (const Outdated&) {
         return false;
     } catch (const std::exception& error) {
-        made = fail("planning", error.what(), "undo the last change, and report this with the project");
-        planner_ = std::make_unique<Planner>();
+        forget();
+        return !stop &&
+               refuse({"planning", error.what(), "undo the last change, and report this with the project"},
+                      revision);
     }
-    if (stop) return false;
-    if (!made) {
-        {
-            const std::lock_guard lock(mutex_);
-            if (revision != project_.revision) return false;
-            planning_ = false;
-            ++news_;
-            failure_ = made.error();
-            if (bare) planned_.reset();  // what was drawn before is no part of it
-        }
-        tell_standing();
-        return false;
-    }
-    made->plan.program = program_;
+}
+
+std::shared_ptr<Planned> Workspace::with_parts(Draft made, long long revision) {
+    made.plan.program = program_;
     auto planned = std::make_shared<Planned>();
     planned->revision = revision;
-    planned->plan = std::make_shared<const Plan>(std::move(made->plan));
+    planned->plan = std::make_shared<const Plan>(std::move(made.plan));
     planned->samples =
-        planned->plan->samples.empty() ? rows_.row_of(made->pieces) : rows_.row_of(*planned->plan);
+        planned->plan->samples.empty() ? rows_.row_of(made.pieces) : rows_.row_of(*planned->plan);
     planned->drawing = drawings_.part(planned->plan);
     planned->drive = drive_part(*planned->plan, *planned->samples);
     if (const auto last = this->planned()) {
@@ -205,7 +199,28 @@ bool Workspace::plan_and_publish(const State& state, long long revision, const s
         planned->before.insert(planned->before.end(), last->before.begin(), last->before.end());
         if (planned->before.size() > most_before) planned->before.resize(most_before);
     }
-    return publish(std::move(planned), draft);
+    return planned;
+}
+
+/// Why there is no plan of this revision. False.
+bool Workspace::refuse(const Error& error, long long revision) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (revision != project_.revision) return false;
+        planning_ = false;
+        ++news_;
+        failure_ = error;
+        if (is_bare(state_)) planned_.reset();  // what was drawn before is no part of it
+    }
+    tell_standing();
+    return false;
+}
+
+/// What is kept from plan to plan may have been left half-done: the next one is made from nothing.
+void Workspace::forget() {
+    planner_ = std::make_unique<Planner>();
+    drawings_ = {};
+    rows_ = {};
 }
 
 /// A draft of what is there already: the next one finds the pieces of this drive made, and only what its edit
@@ -222,7 +237,7 @@ void Workspace::get_ready(const State& state, const std::atomic<bool>& stop) {
     } catch (const Outdated&) {
         return;
     } catch (const std::exception&) {
-        planner_ = std::make_unique<Planner>();  // the next edit is planned from nothing, and tells
+        forget();  // the next edit is planned from nothing, and tells
     }
 }
 
@@ -237,20 +252,31 @@ bool Workspace::publish(std::shared_ptr<Planned> planned, bool draft) {
     }
     tell_standing();
     if (draft) return true;
-    proving_thread_->want([this, planned](const std::atomic<bool>& stop) {
+    proving_thread_->want([this, planned](const std::atomic<bool>& stop) { prove(planned, stop); });
+    return true;
+}
+
+/// Nothing is thrown out of here: it is the thread's last function.
+void Workspace::prove(const std::shared_ptr<const Planned>& planned, const std::atomic<bool>& stop) {
+    auto proved = std::make_shared<Planned>(*planned);
+    std::optional<Error> failure;
+    try {
         const check::Report report = check::prove(*planned->plan);
         if (stop) return;
-        auto proved = std::make_shared<Planned>(*planned);
         proved->report = report_part(report);
-        {
-            const std::lock_guard lock(mutex_);
-            if (planned_ != planned) return;
+    } catch (const std::exception& error) {
+        failure = {"check", error.what(), "report this with the project"};
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        if (planned_ != planned) return;
+        if (failure)
+            failure_ = failure;
+        else
             planned_ = std::move(proved);
-            ++news_;
-        }
-        tell_standing();
-    });
-    return true;
+        ++news_;
+    }
+    tell_standing();
 }
 
 }  // namespace strandline::serve

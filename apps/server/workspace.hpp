@@ -92,8 +92,12 @@ class Workspace {
     void plan_anew(const State& state, long long revision);
     Outcome<Draft> draft_or_plan(const State& state, bool draft, const Progress& progress);
     bool plan_and_publish(const State& state, long long revision, const std::atomic<bool>& stop, bool draft);
+    std::shared_ptr<Planned> with_parts(Draft made, long long revision);
+    bool refuse(const Error& error, long long revision);
+    void forget();
     void get_ready(const State& state, const std::atomic<bool>& stop);
     bool publish(std::shared_ptr<Planned> planned, bool draft);
+    void prove(const std::shared_ptr<const Planned>& planned, const std::atomic<bool>& stop);
     void tell_standing();
 
     const std::string id_, program_;

@@ -92,6 +92,17 @@ Progress Watch::progress() {
     return progress;
 }
 
+namespace {
+
+/// NumPy's False too: what a comparison of its numbers gives.
+bool is_false(const py::object& answer) {
+    if (answer.is(py::bool_(false))) return true;
+    if (answer.is_none() || answer.is(py::bool_(true))) return false;
+    return py::isinstance(answer, py::module_::import("numpy").attr("bool_")) && !answer.cast<bool>();
+}
+
+}  // namespace
+
 void Watch::hand_on(const py::object& callback) {
     std::vector<std::pair<std::string, double>> reports;
     {
@@ -101,7 +112,7 @@ void Watch::hand_on(const py::object& callback) {
     if (callback.is_none()) return;
     for (const auto& [what, share] : reports) {
         const py::object answer = callback(what, share);
-        if (answer.is(py::bool_(false))) stop_ = true;
+        if (is_false(answer)) stop_ = true;
     }
 }
 

@@ -13,6 +13,7 @@ namespace strandline::python {
 struct Workshop {
     std::string bytes, title, place;
     Robot robot;
+    Warnings granted;  ///< what the call took for granted before anything was planned
     Planner planner;
     std::mutex mutex;  ///< the planner serves one thread at a time
 };

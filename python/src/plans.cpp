@@ -32,6 +32,7 @@ Planned made(const std::shared_ptr<Workshop>& workshop, const Options& options,
     });
     if (!plan) throw Refused{named(plan.error(), *workshop)};
     plan->program = "strandline " STRANDLINE_VERSION;
+    plan->warnings.insert(plan->warnings.begin(), workshop->granted.begin(), workshop->granted.end());
     return {std::make_shared<const Plan>(std::move(*plan)), workshop};
 }
 
@@ -43,15 +44,10 @@ Planned plan(const py::bytes& bytes, const std::string& title, const std::string
     workshop->title = title;
     workshop->place = place;
     workshop->robot = std::move(wanted.robot);
+    workshop->granted = std::move(wanted.wishes.warnings);
     std::vector<Edit> all = wanted.wishes.edits;
     for (Edit& edit : value(formats::read_edits(edits, "edits"))) all.push_back(std::move(edit));
-    Planned result = made(workshop, wanted.wishes.options, all, false, callback);
-    if (wanted.wishes.warnings.empty()) return result;
-    Plan warned = *result.plan;  // fences from maps warn before anything is planned
-    warned.warnings.insert(warned.warnings.begin(), wanted.wishes.warnings.begin(),
-                           wanted.wishes.warnings.end());
-    result.plan = std::make_shared<const Plan>(std::move(warned));
-    return result;
+    return made(workshop, wanted.wishes.options, all, false, callback);
 }
 
 Planned edited(const Planned& old, const std::string& edits,

@@ -153,7 +153,7 @@ class Plan:
             noise: m, of each fix of its place; None: the robot's fix_noise.
             wander: m, of the slow drift of that place; None: 0.01.
             delay: s, of fixes; None: 0.12.
-            seed: of the noise; the same seed gives the same drive.
+            seed: of the noise, 0 to 2**64 - 1; the same seed gives the same drive.
             late_pins: pins are told when they should be there, not before.
             cell: m, of the raster; 0: 0.01, or a sixth of a pin where that is less.
 
@@ -161,6 +161,7 @@ class Plan:
             InputError: a value out of its range, by name.
         """
         controlled = controller or any(value is not None for value in (noise, wander, delay))
+        seed = _texts.unsigned(seed, "seed")
         return Simulation(_core.simulate(self._core, cell, controlled, noise, wander, delay, seed, late_pins,
                                          progress))
 

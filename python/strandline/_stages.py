@@ -162,7 +162,8 @@ def tour(elements: Iterable[Union[ArrayLike, Mapping[str, Any]]], *, start: Sequ
         "end": end if end is None or isinstance(end, str) else _texts.numbers(end, (2,), "end")}
     if threads < 1 or threads > 64:
         raise InputError("threads", f"{threads} is out of range", "use 1 to 64")
-    return Tour(**_core.tour(_texts.json_text(instance), method, grouped, on_edges, threads, seed, moves,
+    return Tour(**_core.tour(_texts.json_text(instance), method, grouped, on_edges, threads,
+                             _texts.unsigned(seed, "seed"), _texts.unsigned(moves, "moves"),
                              _texts.number(time_limit, "time_limit"), progress))
 
 

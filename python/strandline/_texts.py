@@ -7,7 +7,7 @@ import json
 import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from numbers import Real
+from numbers import Integral, Real
 from typing import Any, Union
 
 import numpy as np
@@ -38,6 +38,16 @@ def number(value: Any, place: str) -> float:
     result = float(value)
     if not math.isfinite(result):
         raise InputError(place, f"{result} is not finite")
+    return result
+
+
+def unsigned(value: Any, place: str) -> int:
+    """0 to 2**64 - 1; a bool is none."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, Integral):
+        raise TypeError(f"{place} must be a whole number, not {type(value).__name__}")
+    result = int(value)
+    if not 0 <= result < 2**64:
+        raise InputError(place, f"{result} is out of range", "use 0 to 2**64 - 1")
     return result
 
 

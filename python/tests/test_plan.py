@@ -107,6 +107,17 @@ def test_fences_are_arrays_or_texts(small):
     assert by_array.export("csv") == by_text.export("csv") != small.export("csv")
 
 
+def test_what_fences_from_maps_take_for_granted_stays_with_edited_plans(tmp_path):
+    pole = tmp_path / "field.geojson"
+    pole.write_text('{"type": "Polygon", "coordinates": '
+                    '[[[-0.001, -0.001], [0.001, -0.001], [0.001, 0.001], [-0.001, 0.001], [-0.001, -0.001]]]}')
+    plan = strandline.plan_svg(SMALL, border=pole)
+    assert plan.warnings[0].place == str(pole) and "latitude 0" in plan.warnings[0].reason
+    edited = plan.edited({"edit": "direction", "element": "bow", "direction": "forward"})
+    for later in (edited, edited.edited(fill_style="zigzag"), edited.edited(draft=True)):
+        assert later.warnings.count(plan.warnings[0]) == 1
+
+
 def test_the_drive_begins_and_ends_where_it_is_told():
     plan = strandline.plan_svg(SMALL, park=(1, 1, np.pi / 2), exit="parked")
     t = plan.trajectory

@@ -56,6 +56,7 @@ def test_the_sand_is_shown(small):
 
 
 @pytest.mark.parametrize("call, place", [
+    ({"seed": -1}, "seed"), ({"seed": 2**64}, "seed"),
     ({"noise": -1}, "noise"), ({"delay": 3}, "delay"), ({"cell": -0.1}, "cell"), ({"cell": 2}, "cell"),
 ])
 def test_a_simulation_refuses_by_name(small, call, place):

@@ -5,6 +5,7 @@ import signal
 import threading
 import time
 
+import numpy as np
 import pytest
 
 import strandline
@@ -37,6 +38,13 @@ def test_an_exception_in_the_callback_ends_the_work(drawings):
 def test_a_callback_that_returns_false_keeps_the_best_so_far(drawings):
     plan = strandline.plan(drawings / "mandala.svg", progress=lambda what, share: False)
     assert not plan.figures["reproducible"] and plan.figures["strokes"] > 10
+
+
+def test_so_does_one_that_returns_the_false_of_numpy(drawings):
+    plan = strandline.plan(drawings / "mandala.svg", progress=lambda what, share: np.float64(share) < 0)
+    assert not plan.figures["reproducible"]
+    for go_on in (lambda what, share: np.float64(share) >= 0, lambda what, share: None, lambda what, share: 0):
+        assert strandline.plan(drawings / "hello.svg", progress=go_on).figures["reproducible"]
 
 
 def test_ctrl_c_ends_the_work(drawings):

@@ -134,6 +134,7 @@ TEST(Batch, WhatIsForOneDrawingIsRefused) {
                    "tour.threads=1");
     write(folder / "file", "");
     expect_refused(folder, "plan a.svg --out-dir file", 2, "no folder");
+    expect_refused(folder, "plan a.svg --out-dir " + std::string(300, 'x'), 2, "--out-dir");
 }
 
 TEST(Batch, StrictFallsShortOfUpToDatePlansToo) {
@@ -144,26 +145,46 @@ TEST(Batch, StrictFallsShortOfUpToDatePlansToo) {
     EXPECT_EQ(run(folder, call).exit, 3);
 }
 
+/// Interrupted while long.svg is planned.
+Result batch_interrupted(const Folder& folder, const std::string& more = "") {
+    return interrupted(folder,
+                       "plan a.svg long.svg b.svg --out-dir plans --json --set tour.moves=2000000000" + more,
+                       "until grep -q '^1/3' said; do sleep 0.05; done; sleep 0.2");
+}
+
 TEST(Batch, AnInterruptLeavesFinishedPlansAndATable) {
     const Folder folder;
     write_three(folder);
-    // A search that ends only when it is stopped.
-    std::string many = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1000 1000'>";
-    for (int k = 0; k < 300; ++k)
-        many += "<path d='M" + std::to_string(k * 37 % 1000) + " " + std::to_string(k * 91 % 1000) +
-                "l20 20' stroke='black'/>";
-    write(folder / "long.svg", many + "</svg>");
+    write_endless(folder / "long.svg");
     ASSERT_EQ(run(folder, "-q plan a.svg --out-dir plans --set tour.moves=2000000000").exit, 0);
-    write(folder / "go.sh", "'" STRANDLINE_PROGRAM
-                            "' plan a.svg long.svg b.svg --out-dir plans --json --set "
-                            "tour.moves=2000000000 >table 2>said & program=$!\n"
-                            "until grep -q '^1/3' said; do sleep 0.05; done\n"
-                            "sleep 0.2; kill -INT $program; wait $program; echo $? >code\n");
-    // A shell without job control would start it deaf to interrupts.
-    ASSERT_EQ(std::system(("cd '" + folder.path().string() + "' && bash -m go.sh 2>/dev/null").c_str()), 0);
-    EXPECT_EQ(read(folder / "code"), "130\n");
-    EXPECT_EQ(outcomes({0, read(folder / "table"), ""}), "up to date, stopped, not begun");
+    const Result result = batch_interrupted(folder);
+    EXPECT_EQ(result.exit, 130);
+    EXPECT_EQ(outcomes(result), "up to date, stopped, not begun");
     EXPECT_FALSE(fs::exists(folder / "plans/long.json"));
+}
+
+TEST(Batch, AnInterruptBeforeASizeFitsIsNoFailure) {
+    const Folder folder;
+    write_three(folder);
+    write_endless(folder / "long.svg");
+    const Result result = batch_interrupted(folder, " --max-time 1s");
+    EXPECT_EQ(result.exit, 130);
+    EXPECT_EQ(outcomes(result), "failed, stopped, not begun") << "a.svg was tried and does not fit";
+}
+
+TEST(Batch, WhatIsTakenForGrantedStandsInEachPlanAndIsSaidWithIt) {
+    const Folder folder;
+    write_three(folder);
+    write(folder / "field.geojson", R"({"type": "Polygon", "coordinates":
+        [[[-0.001, -0.001], [0.001, -0.001], [0.001, 0.001], [-0.001, 0.001], [-0.001, -0.001]]]})");
+    const Result result = run(folder, "plan a.svg b.svg --out-dir plans --border field.geojson");
+    ASSERT_EQ(result.exit, 0) << result.err;
+    const Json plan = Json::parse(read(folder / "plans/b.json"));
+    EXPECT_EQ(plan["warnings"].at(0)["place"], "field.geojson");
+    const std::string words = "warning: field.geojson: no place on earth";
+    const auto first = result.err.find(words);
+    ASSERT_NE(first, std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(words, first + 1), std::string::npos) << "once a plan: " << result.err;
 }
 
 }  // namespace

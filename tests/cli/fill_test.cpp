@@ -54,7 +54,7 @@ TEST(Fill, StrictSaysWhyItEndsWithThree) {
     const Result made =
         run(folder, "plan in.svg -q --strict -o plan.json --set fill.join=nearest --set fill.style=zigzag");
     EXPECT_EQ(made.exit, 3);
-    EXPECT_NE(made.err.find("strict: 1 things are done otherwise"), std::string::npos) << made.err;
+    EXPECT_NE(made.err.find("strict: 1 thing is done otherwise"), std::string::npos) << made.err;
     EXPECT_NE(made.err.find("strict: along"), std::string::npos) << made.err;
     const Result all = run(folder, "check -v plan.json");
     EXPECT_NE(all.out.find("not drivable: at ("), std::string::npos) << all.out;

@@ -54,7 +54,7 @@ TEST(Picture, IsTracedToSvg) {
     write(folder / "in.png", square());
     const Result traced = run(folder, "trace in.png --set trace.alphamax=0 -o out.svg");
     ASSERT_EQ(traced.exit, 0) << traced.err;
-    EXPECT_NE(traced.err.find("40 x 30 pixels, threshold 0.500 (found): 1 regions, 0 holes"),
+    EXPECT_NE(traced.err.find("40 x 30 pixels, threshold 0.500 (found): 1 region, 0 holes"),
               std::string::npos)
         << traced.err;
     const std::string svg = read(folder / "out.svg");

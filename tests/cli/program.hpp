@@ -54,6 +54,26 @@ inline Result run(const Folder& folder, const std::string& arguments) {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
 }
 
+/// A drawing whose search ends only when it is stopped, where tour.moves is large.
+inline void write_endless(const fs::path& path) {
+    std::string many = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1000 1000'>";
+    for (int k = 0; k < 300; ++k)
+        many += "<path d='M" + std::to_string(k * 37 % 1000) + " " + std::to_string(k * 91 % 1000) +
+                "l20 20' stroke='black'/>";
+    write(path, many + "</svg>");
+}
+
+/// As run(), but with Ctrl-C as soon as `wait` is over: shell commands that may look at what was "said" on
+/// stderr.
+inline Result interrupted(const Folder& folder, const std::string& arguments, const std::string& wait) {
+    write(folder / "go.sh", "'" STRANDLINE_PROGRAM "' " + arguments + " >out 2>said & program=$!\n" + wait +
+                                "\nkill -INT $program; wait $program; echo $? >code\n");
+    // A shell without job control would start it deaf to interrupts.
+    const std::string shell = "cd '" + folder.path().string() + "' && bash -m go.sh 2>/dev/null";
+    if (std::system(shell.c_str()) != 0) return {};
+    return {std::atoi(read(folder / "code").c_str()), read(folder / "out"), read(folder / "said")};
+}
+
 /// The call ends with `code` and one line that holds `words`, and writes no file "out".
 inline void expect_refused(const Folder& folder, const std::string& arguments, int code,
                            const std::string& words) {

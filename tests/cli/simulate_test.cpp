@@ -86,7 +86,32 @@ TEST(Simulate, TheLargestDrawingThatFitsATimeIsPlanned) {
     const double time = nlohmann::json::parse(half.out)["time"];
     EXPECT_LE(time, whole / 2);
     EXPECT_GT(time, 0.4 * whole);
-    expect_refused(folder, "plan in.svg -o out -q --max-time 1s", 1, "--max-time");
+    expect_refused(folder, "plan in.svg -o out -q --max-time 1s", 1, "m wide the drive takes longer");
+}
+
+TEST(Simulate, EachSizeThatIsTriedHasTheWholeTimeLimit) {
+    const Folder folder;
+    write_endless(folder / "in.svg");
+    // Every search uses its limit up.
+    const std::string call =
+        "plan in.svg -o p.json -q --json --robot plotter --set tour.moves=2000000000 --set "
+        "tour.time_limit=0.05s";
+    const double whole = nlohmann::json::parse(run(folder, call).out)["time"];
+    const Result half =
+        run(folder, call + " --max-time " + std::to_string(static_cast<int>(whole / 2)) + "s");
+    ASSERT_EQ(half.exit, 0) << half.err;
+    EXPECT_LE(nlohmann::json::parse(half.out)["time"], whole / 2);
+}
+
+TEST(Simulate, AStoppedSearchForASizeSaysThatItWasStopped) {
+    const Folder folder;
+    write_endless(folder / "in.svg");
+    const Result result =
+        interrupted(folder, "plan in.svg -o p.json --set tour.moves=2000000000 --max-time 1s", "sleep 1");
+    EXPECT_EQ(result.exit, 1);
+    EXPECT_NE(result.err.find("--max-time: stopped before a smaller size was tried"), std::string::npos)
+        << result.err;
+    EXPECT_FALSE(fs::exists(folder / "p.json"));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(Gcode, TheToolGoesAlongTheMiddleOfTheStrokesPins) {
 TEST(Gcode, EveryStrokeGoesDownOnceAndUpOnce) {
     const Program program = read_gcode(written(beach_plan()));
     EXPECT_EQ(std::ranges::count(program.others, "G1 Z0 F600"), 4);
-    EXPECT_EQ(std::ranges::count(program.others, "G0 Z5"), 6) << "begin, four strokes, end";
+    EXPECT_EQ(std::ranges::count(program.others, "G0 Z5"), 5) << "begin, four strokes, the last one by end";
     EXPECT_EQ(program.others.front(), "G21");
     EXPECT_EQ(program.others.back(), "M2");
 }
@@ -59,6 +59,21 @@ TEST(Gcode, TemplatesAndFeedAreTheUsers) {
         text.starts_with("G21\n(two lines and a \"door\" <é>)\nM5\nG0 X2000.000 Y2000.000\nM3 S90 "
                          "F1500\nG1 X6000.000 Y2000.000 F1500\nM5\n"))
         << text.substr(0, 200);
+}
+
+TEST(Gcode, TheLastStrokeIsLiftedOnceUnlessTheEndMovesFirst) {
+    Plan plan = beach_plan();
+    const auto last_lines = [&plan](const std::string& end) {
+        plan.options.gcode.end = end;
+        const auto lines = lines_of(written(plan));
+        std::string last;
+        for (auto line = std::prev(lines.end(), 4); line != lines.end(); ++line)
+            last += (line->starts_with("G1 X") ? "G1" : *line) + "|";
+        return last;
+    };
+    EXPECT_EQ(last_lines("{up}\\nM2"), "G1 Z0 F600|G1|G0 Z5|M2|");
+    EXPECT_EQ(last_lines("M2"), "G1 Z0 F600|G1|G0 Z5|M2|");
+    EXPECT_EQ(last_lines("G0 X0\\n{up}"), "G1|G0 Z5|G0 X0|G0 Z5|") << "nothing is dragged";
 }
 
 TEST(Gcode, AWrongTemplateIsRefusedByName) {

@@ -109,6 +109,25 @@ TEST(Wpl, ItIsThinnedToTheLimitWithinTheToleranceOrRefused) {
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().reason.find("holds 12"), std::string::npos) << refused.error().reason;
     EXPECT_NE(refused.error().remedy.find("split"), std::string::npos);
+    EXPECT_NE(refused.error().remedy.find("no tolerance will do"), std::string::npos);
+}
+
+TEST(Wpl, ARefusalNamesTheToleranceThatWouldDo) {
+    Plan plan = beach_plan();
+    plan.options.mission.tolerance = 0.001;
+    const int most = static_cast<int>(read_wpl(text_of(exports::wpl(plan))).size()) - 10;
+    plan.options.mission.items = most;
+    const auto refused = exports::wpl(plan);
+    ASSERT_FALSE(refused);
+    const std::string& remedy = refused.error().remedy;
+    const std::string words = "mission.tolerance to ";
+    ASSERT_NE(remedy.find(words), std::string::npos) << remedy;
+    const double enough = std::stod(remedy.substr(remedy.find(words) + words.size()));
+    EXPECT_GT(enough, plan.options.mission.tolerance);
+    plan.options.mission.tolerance = enough;
+    EXPECT_LE(static_cast<int>(read_wpl(text_of(exports::wpl(plan))).size()), most) << "what is advised does";
+    plan.options.mission.tolerance = enough - 0.002;
+    EXPECT_FALSE(exports::wpl(plan)) << "a little less does not";
 }
 
 TEST(Wpl, WithoutASiteItLiesAtZeroAndWarns) {

@@ -153,5 +153,23 @@ TEST(Order, TiesAreKeptWhateverTheSenses) {
     ADD_FAILURE() << "lines 0 and 1 are not next to each other";
 }
 
+TEST(Order, ALoopIntoAGapBelongsToTheStrokeBehindIt) {
+    const Robot robot = *builtin_robot("beachbot");
+    int loops = 0;
+    for (const double degrees : {50.0, 70.0, 85.0}) {
+        const Point on = unit(degrees * pi / 180), from = Point{3, 0} + 0.01 * on;
+        const Job job{{line_group(0, {0, 0}, {3, 0}), line_group(1, from, from + 3 * on)}, {}, {}, {}};
+        const auto answer = ordered(job, robot, options_for(robot));
+        ASSERT_TRUE(answer);
+        EXPECT_EQ(answer->direct, 1) << degrees;
+        for (const Leg& leg : legs_of(answer->stretches)) {
+            if (leg.motion != Motion::loop) continue;
+            ++loops;
+            EXPECT_EQ(leg.stroke, 1) << degrees;
+        }
+    }
+    EXPECT_GT(loops, 0);
+}
+
 }  // namespace
 }  // namespace strandline::order

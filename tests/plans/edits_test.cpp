@@ -265,6 +265,23 @@ TEST(Drafts, ObeyWishesAndHoldWhatIsDrawnNow) {
         }
 }
 
+TEST(Planner, AFileWithoutShapesIsRefusedAgainOnceNothingIsDrawnByHand) {
+    const Robot robot = *builtin_robot("beachbot");
+    const std::vector<Edit> drawn{DrawEdit{"pen", {path_through({{2, 2}, {4, 5}}, false)}, 1, 0}};
+    for (const Source& empty :
+         {Source{"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'/>", "empty.svg"},
+          Source{"", ""}}) {
+        Planner planner;
+        const auto fresh = make_plan(empty, robot, {});
+        ASSERT_FALSE(fresh);
+        EXPECT_TRUE(planner.plan(empty, robot, {}, drawn));
+        const auto after = planner.plan(empty, robot, {});
+        ASSERT_FALSE(after);
+        EXPECT_EQ(after.error(), fresh.error());
+        EXPECT_TRUE(planner.plan(empty, robot, {}, drawn));
+    }
+}
+
 TEST(Planner, PlansAsIfItHadKeptNothing) {
     Planner planner;
     const Robot beachbot = *builtin_robot("beachbot"), turf = *builtin_robot("turf");

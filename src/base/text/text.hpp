@@ -1,5 +1,6 @@
 #pragma once
 // Text, piece by piece, as writers of JSON and of tables want it: no locale, the same bytes everywhere.
+#include <concepts>
 #include <string>
 #include <string_view>
 
@@ -22,5 +23,12 @@ void add_xml(Text& text, std::string_view value);
 /// "0.123000" with that many decimals, 9 at most, zero never negative: "-0.000000" is another text than
 /// "0.000000" to a diff.
 void add_fixed(Text& text, double value, int decimals);
+
+/// "1 element", "0 elements", "2 elements"; a plural that is not made by an s alone is given: counted(n,
+/// "thing is", "things are").
+template <std::integral Count>
+std::string counted(Count count, const std::string& one, const std::string& many = "") {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many.empty() ? one + 's' : many);
+}
 
 }  // namespace strandline

@@ -50,7 +50,8 @@ struct ReadKey {
     Options::Text text;
     bool invert = false;
     double dpi = 0;
-    Robot robot;  ///< whether hints suit it
+    Robot robot;        ///< whether hints suit it
+    bool bare = false;  ///< no file: edits draw all there is
     bool operator==(const ReadKey&) const = default;
 };
 
@@ -62,6 +63,7 @@ struct DrawingKey {
     Options::Draw drawing;
     Options::Ink ink;
     double min_area = 0;
+    bool bare = false;  ///< the file holds no shapes, and edits that draw make up for it
     bool operator==(const DrawingKey&) const = default;
 };
 
@@ -106,19 +108,29 @@ Outcome<Plan> Planner::plan_or_draft(const Source& source, const Robot& robot, c
     if (const auto fits = valid(options, robot); !fits) return tl::unexpected(fits.error());
     const auto asked = pipeline::drawing_options(options);
     if (!asked) return tl::unexpected(asked.error());
-    pipeline::ReadKey read_key{std::string(source.bytes), options.trace,       options.text,
-                               options.ink.invert,        options.drawing.dpi, robot};
+    const bool by_hand = pipeline::by_hand(edits);
+    pipeline::ReadKey read_key{std::string(source.bytes),
+                               options.trace,
+                               options.text,
+                               options.ink.invert,
+                               options.drawing.dpi,
+                               robot,
+                               by_hand && source.bytes.empty()};
     if (!kept_->read || kept_->read_key != read_key) {
-        auto document = source.bytes.empty() && pipeline::by_hand(edits)
-                            ? Outcome<svg::Document>(svg::Document{})
-                            : read_source(source, options, pipeline::patient(progress));
+        auto document = read_key.bare ? Outcome<svg::Document>(svg::Document{})
+                                      : read_source(source, options, pipeline::patient(progress));
         if (!document) return tl::unexpected(document.error());
         kept_->read = pipeline::without_wrong_hints(std::move(*document), robot);
         kept_->read_key = std::move(read_key);
         kept_->drawing.reset();
     }
-    pipeline::DrawingKey drawing_key{robot,           options.place, options.canvas,
-                                     options.drawing, options.ink,   options.fill.min_area};
+    pipeline::DrawingKey drawing_key{robot,
+                                     options.place,
+                                     options.canvas,
+                                     options.drawing,
+                                     options.ink,
+                                     options.fill.min_area,
+                                     by_hand && kept_->read->document.shapes.empty()};
     if (!kept_->drawing || kept_->drawing_key != drawing_key) {
         auto drawing = pipeline::drawn(*kept_->read, robot, *asked, edits, progress);
         if (!drawing) return tl::unexpected(drawing.error());

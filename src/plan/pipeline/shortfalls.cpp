@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/text.hpp"
 #include "plan/pipeline/hints.hpp"
 
 namespace strandline::pipeline {
@@ -18,9 +19,9 @@ void say_undrivable(Plan& plan) {
     plan.warnings.push_back(
         {"the drive",
          fmt::format(
-             "the rake cannot follow its path along {} spans, {:.2f} m together, the longest {:.2f} m near "
+             "the rake cannot follow its path along {}, {:.2f} m together, the longest {:.2f} m near "
              "({:.2f}, {:.2f}): it is lifted there in areas and beside its place on lines",
-             plan.undrivable.size(), sum, longest.amount, longest.at.x, longest.at.y)});
+             counted(plan.undrivable.size(), "span"), sum, longest.amount, longest.at.x, longest.at.y)});
 }
 
 void say_blemishes(Plan& plan) {
@@ -36,9 +37,9 @@ void say_blemishes(Plan& plan) {
     if (longest == nullptr) return;
     plan.warnings.push_back(
         {"avoid.finished",
-         fmt::format("at {} places no way round finished areas was found: {:.2f} m are driven too near to or "
+         fmt::format("at {} no way round finished areas was found: {:.2f} m are driven too near to or "
                      "over them, the longest {:.2f} m near ({:.2f}, {:.2f})",
-                     places, sum, longest->amount, longest->at.x, longest->at.y)});
+                     counted(places, "place"), sum, longest->amount, longest->at.x, longest->at.y)});
 }
 
 bool in_one_stroke(const Plan& plan, int stroke) {
@@ -70,9 +71,9 @@ void say_lifts(Plan& plan) {
     ++plan.figures.fallbacks;
     plan.warnings.push_back(
         {"fill.one_stroke",
-         fmt::format("the rake is lifted all the same {} times within areas, where {} cannot follow "
+         fmt::format("the rake is lifted all the same {} within areas, where {} cannot follow "
                      "a corner with the rake down, first near ({:.2f}, {:.2f})",
-                     lifts, plan.robot.name, first.x, first.y)});
+                     counted(lifts, "time"), plan.robot.name, first.x, first.y)});
 }
 
 void say_marks(Plan& plan) {

@@ -55,6 +55,7 @@ Outcome<std::string> filled(const std::string& setting, const std::string& patte
 /// The templates of a plan, those without a place of their own filled in already.
 struct Templates {
     std::string begin, down, up, end;
+    bool end_lifts = false;  ///< the first thing it does: no other lift is needed before it
 };
 Outcome<Templates> templates_of(const Plan& plan, const std::string& feed) {
     const Options::Gcode& o = plan.options.gcode;
@@ -73,6 +74,7 @@ Outcome<Templates> templates_of(const Plan& plan, const std::string& feed) {
     if (done) done = fill("begin", o.begin, t.begin);
     if (done) done = fill("end", o.end, t.end);
     if (!done) return tl::unexpected(done.error());
+    t.end_lifts = o.end.starts_with("{up}");
     return t;
 }
 
@@ -114,7 +116,7 @@ class Program {
         down_ = false;
     }
     std::string done() {
-        lift();
+        if (!templates_.end_lifts) lift();
         block(templates_.end);
         return std::move(text_);
     }

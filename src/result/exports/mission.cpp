@@ -71,6 +71,38 @@ std::vector<std::size_t> kept(const Drive& drive, double tolerance) {
     return list;
 }
 
+struct Thinned {
+    double tolerance;
+    std::vector<std::size_t> waypoints;
+};
+/// With about the least tolerance between `low`, which leaves too many waypoints, and `high`, which does not.
+template <class Fits>
+Thinned halved(const Drive& drive, double low, double high, const Fits& fits) {
+    Thinned best{high, kept(drive, high)};
+    for (int k = 0; k < halvings && best.tolerance > 1.01 * low; ++k) {
+        const double middle = std::sqrt(low * best.tolerance);
+        auto fewer = kept(drive, middle);
+        if (fits(fewer))
+            best = {middle, std::move(fewer)};
+        else
+            low = middle;
+    }
+    return best;
+}
+
+/// What to do where `allowed` leaves `needed` items, more than the autopilot holds.
+template <class Fits>
+std::string remedy_beyond(const Drive& drive, double allowed, std::size_t needed, const Fits& fits) {
+    const std::string split = "cut the plan by strandline split, or set mission.items";
+    constexpr double most_tolerance = 100;  // m: what can be set
+    if (!fits(kept(drive, most_tolerance)))
+        return fmt::format("{} to {} if it holds them; no tolerance will do", split, needed);
+    // Rounded up to a millimetre, where it fits as well.
+    double enough = std::ceil(1000 * halved(drive, allowed, most_tolerance, fits).tolerance) / 1000;
+    while (enough < most_tolerance && !fits(kept(drive, enough))) enough += 0.001;
+    return fmt::format("{} to {} if it holds them, or mission.tolerance to {:.3f} m", split, needed, enough);
+}
+
 /// How far the samples lie from the straight lines between waypoints.
 double deviation(const Drive& drive, const std::vector<std::size_t>& waypoints) {
     double most = 0;
@@ -173,28 +205,18 @@ Outcome<Mission> mission_of(const Plan& plan) {
         return Builder(plan, drive, site).built(waypoints).items.size() + 1;
     };
     const auto most = static_cast<std::size_t>(limits.items);
-    double tolerance = least_tolerance;
-    std::vector<std::size_t> waypoints = kept(drive, tolerance);
-    if (std::size_t needed = items_for(waypoints); needed > most) {
-        double low = tolerance, high = std::max(tolerance, limits.tolerance);
-        waypoints = kept(drive, high);
-        needed = items_for(waypoints);
-        if (needed > most)
+    const auto fits = [&](const std::vector<std::size_t>& waypoints) { return items_for(waypoints) <= most; };
+    std::vector<std::size_t> waypoints = kept(drive, least_tolerance);
+    if (!fits(waypoints)) {
+        const double allowed = std::max(least_tolerance, limits.tolerance);
+        waypoints = kept(drive, allowed);
+        if (const std::size_t needed = items_for(waypoints); needed > most)
             return fail("mission",
                         fmt::format("{} items are needed to stay within {} m (mission.tolerance), and the "
                                     "autopilot holds {} (mission.items)",
                                     needed, limits.tolerance, most),
-                        "cut the plan by strandline split, or allow more of either with --set");
-        for (int k = 0; k < halvings && high > 1.01 * low; ++k) {
-            const double middle = std::sqrt(low * high);
-            auto fewer = kept(drive, middle);
-            if (items_for(fewer) > most) {
-                low = middle;
-            } else {
-                high = middle;
-                waypoints = std::move(fewer);
-            }
-        }
+                        remedy_beyond(drive, allowed, needed, fits));
+        waypoints = halved(drive, least_tolerance, allowed, fits).waypoints;
     }
     Builder builder(plan, drive, site);
     Mission mission = builder.built(waypoints);
