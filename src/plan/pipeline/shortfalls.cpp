@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "plan/pipeline/hints.hpp"
+#include "plan/pipeline/surroundings.hpp"
 
 namespace strandline::pipeline {
 namespace {
@@ -35,9 +36,12 @@ void say_blemishes(Plan& plan) {
     if (longest == nullptr) return;
     plan.warnings.push_back(
         {"avoid.finished",
-         fmt::format("at {} places no way round finished areas was found: {:.2f} m are driven too near to or "
-                     "over them, the longest {:.2f} m near ({:.2f}, {:.2f})",
-                     places, sum, longest->amount, longest->at.x, longest->at.y)});
+         fmt::format(
+             "at {} places no way round finished areas was found: {:.2f} m are driven nearer to them than "
+             "{:.2f} m (avoid.clearance), the longest {:.2f} m near ({:.2f}, {:.2f}); check says how much of "
+             "it goes over them",
+             places, sum, clearance_of(plan.options, plan.robot), longest->amount, longest->at.x,
+             longest->at.y)});
 }
 
 bool in_one_stroke(const Plan& plan, int stroke) {
