@@ -53,7 +53,7 @@ TEST(Outputs, AreasOfAPenOnPaperHaveFigures) {
     const Folder folder;
     write(folder / "in.svg", drawing);
     ASSERT_EQ(run(folder, "-q plan in.svg --robot plotter --canvas A4 -o paper.json").exit, 0);
-    ASSERT_EQ(run(folder, "-q plan in.svg --robot plotter --canvas 14x14 -o beach.json").exit, 0);
+    ASSERT_EQ(run(folder, "-q plan in.svg -o beach.json").exit, 0);
     const std::string paper = run(folder, "simulate paper.json").out,
                       beach = run(folder, "simulate beach.json").out;
     EXPECT_NE(paper.find(" cm^2 not raked"), std::string::npos) << paper;
