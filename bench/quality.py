@@ -3,7 +3,7 @@
 
 Measures what the program makes, from outside, by its commands. Two columns where a judge has cases of its own: the judge's cases and fresh
 seeded ones made here, so that nothing is tuned to the first. Without the judges' folder only the second column is filled, by the checks in
-this file. Sections: drawings, clipart, svg, tour, connect, fill, fill-vehicles, convert, simulate, backing, and
+this file. Sections: drawings, clipart, svg, tour, connect, fill, fill-vehicles, fill-styles, convert, simulate, backing, and
 fill-pictures, which writes docs/fill. Needs python3; the judges need numpy and shapely.
 """
 import argparse, json, math, random, statistics, subprocess, sys, tempfile, time
@@ -248,6 +248,10 @@ def fill(program, shared, folder):
 
 def fill_vehicles(program, shared, folder):
     vehicles.report(program, shared, EVERYTHING)
+
+
+def fill_styles(program, shared, folder):
+    vehicles.styles(program, shared)
 
 
 def simulate(program, shared, folder):

@@ -17,6 +17,9 @@ CELLS = 16  # a rake width
 TURN = 0.5  # radians, of the cells against the drawing: edges along rows would be rounded to one side
 VEHICLES = {"beachbot without turns on the spot (its profile)": [],
             "beachbot with turns on the spot": ["robot.can_pivot=on"]}
+STYLES = {"beachbot (loops)": {"rings": [], "spiral": ["fill.style=spiral"], "zigzag": ["fill.style=zigzag"],
+                               "zigzag, `fill.rake_turns=off`": ["fill.style=zigzag", "fill.rake_turns=off"]},
+          "beachbot that turns on the spot": {"rings": ["robot.can_pivot=on"], "zigzag": ["robot.can_pivot=on", "fill.style=zigzag"]}}
 SHOWN = ("coverage", "overdraw", "spill")
 
 
@@ -34,6 +37,7 @@ class Driven:
     hops: int = 0
     faults: int = 0
     over: float = math.nan  # m^2 of finished ground under the wheels, by check
+    seconds: float = math.nan  # of the whole drive, for a m^2 of the shape
     checked: tuple = ()  # check's coverage, overdraw, spill
 
     @property
@@ -185,6 +189,8 @@ def drive(job):
     report = json.loads(run([program, "check", "-", "--json"], stdin=text)[1])
     result.faults, result.over = len(report["faults"]), report["driven_over"]
     result.checked = tuple(report[name] for name in SHOWN)
+    figures = json.loads(text)["figures"]
+    result.seconds = figures["time"] / figures["fill_area"]
     return result
 
 
@@ -232,3 +238,18 @@ def report(program, shared, everything):
     with Pool(CORES) as pool:
         for name, settings in VEHICLES.items():
             vehicle_table(name, cases, pool.map(drive, [(program, c, settings) for c in cases], chunksize=1))
+
+
+def styles(program, shared):
+    """docs/fill.md, "Which style for which robot": medians of shares, sums of metres, over all shapes but the large ones"""
+    cases = [c for c in cases_of(shared, False) if not any(word in c.name for word in LARGE)]
+    rows = []
+    with Pool(CORES) as pool:
+        for robot, named in STYLES.items():
+            for style, settings in named.items():
+                results = pool.map(drive, [(program, c, settings) for c in cases], chunksize=1)
+                good = [r for r in results if not r.wrong]
+                of = lambda key: [getattr(r, key) for r in good]
+                rows.append([robot, style, len(good), f"{100 * median(of('coverage')):.1f}", f"{100 * median(of('overdraw')):.1f}", f"{sum(of('up')):,.0f}",
+                             f"{sum(of('seconds')) / len(good):.1f}", f"{sum(of('over')):.0f}"])
+    table("Fill after drive: styles, 7 pins", ["robot", "style", "shapes", "covered", "twice", "rake up m", "s a m^2, mean", "finished sand under the wheels m^2"], rows)

@@ -1,7 +1,11 @@
 // The command line of what begins with a drawing: what can be written, not what is done.
 #include "drawing_commands.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+
+#include "machine/robot/robot.hpp"
 
 namespace strandline::cli {
 namespace {
@@ -65,8 +69,9 @@ void add_plan(CLI::App& app, PlanArguments& a, BatchArguments& b, const Common& 
                      "words in the place of a file; with --height at that size (--place actual)");
     add_lettering(plan, a.lettering);
     plan->add_option("-o,--output", a.output, "plan file (JSON), or - for stdout")->capture_default_str();
-    plan->add_option("--robot", a.robot,
-                     "beachbot, plotter, turf, diffdrive, or a profile file (.toml); default beachbot");
+    plan->add_option(
+        "--robot", a.robot,
+        fmt::format("{}, or a profile file (.toml); default beachbot", fmt::join(builtin_robots(), ", ")));
     repeated("--config", a.configs, "settings file (.toml); may be repeated, later ones win");
     repeated("--set", a.settings,
              "key=value; keys: strandline settings. robot.FIELD=value changes the robot");
@@ -113,7 +118,10 @@ void add_plan(CLI::App& app, PlanArguments& a, BatchArguments& b, const Common& 
         ->needs(folder);
     plan->add_flag("--force", b.force, "what is up to date too")->needs(folder);
     plan->add_flag("--open", a.open, "write a picture beside the plan and open it");
-    plan->footer(R"(Examples:
+    plan->footer(
+        R"(Ctrl-C while it plans ends the search, not the call: the best plan so far is written and the exit code is that of
+any plan. Its summary says "stopped early: not reproducible". With --out-dir what is half-done is given up: exit code 130.
+Examples:
   strandline plan lion.svg -o lion.json
   strandline plan logo.svg -o logo.json --canvas 20x20 --set fill.style=zigzag --set fill.spacing=36cm
   strandline plan card.svg --robot plotter --canvas A5 --margin 10mm -o card.json

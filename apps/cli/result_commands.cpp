@@ -35,13 +35,15 @@ int check(const CheckArguments& arguments, const Common& common) {
     if (common.json) {
         fmt::print("{}", formats::write_report(report, &fidelity));
     } else if (!common.quiet) {
+        warn(plan->warnings, common.quiet);
+        for (const std::string& idle : plan->idle_edits) fmt::print(stderr, "warning: {}\n", idle);
         fmt::print("{}{}", summary(*plan, report), fidelity_rows(fidelity));
         fmt::print("{}", findings(report, common.verbose));
         fmt::print("{}", places(*plan, report, common.verbose));
         for (const check::Blemish& b : report.blemishes)
             if (common.verbose)
-                fmt::print("blemish: at ({:.2f}, {:.2f}) after {:.0f} s: {}, {:.3f} m^2 of element {}\n",
-                           b.at.x, b.at.y, b.t, counted(b.crossings, "crossing"), b.area, b.element);
+                fmt::print("blemish: at ({:.2f}, {:.2f}) after {:.0f} s: {}, {} of element {}\n", b.at.x,
+                           b.at.y, b.t, counted(b.crossings, "crossing"), square(b.area, 3), b.element);
     }
     return report.sound() ? done : falls_short;
 }

@@ -1,6 +1,8 @@
 // What a simulation found, for a person.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text/text.hpp"
 #include "summary.hpp"
 
@@ -17,26 +19,28 @@ std::string row(std::string_view name, const std::string& value) {
 
 std::string fidelity_rows(const fidelity::Report& r) {
     std::string text;
-    text +=
-        row("likeness", fmt::format("intersection over union {:.4f}; {:.2f} m^2 not raked, {:.2f} m^2 raked "
-                                    "where it should be clean; cells of {:.3g} cm",
-                                    r.intersection_over_union, r.missing, r.stray, centimetres * r.cell));
+    text += row("likeness", fmt::format("intersection over union {:.4f}; {} not raked, {} raked "
+                                        "where it should be clean; cells of {:.3g} cm",
+                                        r.intersection_over_union, square(r.missing), square(r.stray),
+                                        centimetres * r.cell));
     if (r.fill_area > 0)
         text += row("areas",
                     fmt::format("intersection over union {:.4f}: {:.2f} % raked, {:.2f} % outside; along the "
                                 "border {:.2f} cm over, {:.2f} cm missing (per metre, cm)",
                                 r.fill_union, centimetres * r.coverage, centimetres * r.spill, r.border_over,
                                 r.border_missing));
+    const bool fine = std::max(r.lateral_max, r.width_error) < 1e-3;  // a pen on paper
+    const double unit = fine ? 1000 : centimetres;
     if (r.line_length > 0)
         text +=
             row("lines",
-                fmt::format("aside {:.2f} cm in the mean, {:.2f} rms, {:.2f} at most; width off by {:.2f} "
-                            "cm ({:+.2f}); {:.1f} of {:.1f} m not drawn",
-                            centimetres * r.lateral_mean, centimetres * r.lateral_rms,
-                            centimetres * r.lateral_max, centimetres * r.width_error,
-                            centimetres * r.width_bias, r.undrawn, r.line_length));
-    text += row("tracks", fmt::format("{:.2f} m^2 on areas, {:.2f} m^2 on lines, {:.2f} m^2 on clean sand",
-                                      r.track_on_fill, r.track_on_line, r.track));
+                fmt::format("aside {:.2f} {} in the mean, {:.2f} rms, {:.2f} at most; width off by {:.2f} "
+                            "{} ({:+.2f}); {:.1f} of {:.1f} m not drawn",
+                            unit * r.lateral_mean, fine ? "mm" : "cm", unit * r.lateral_rms,
+                            unit * r.lateral_max, unit * r.width_error, fine ? "mm" : "cm",
+                            unit * r.width_bias, r.undrawn, r.line_length));
+    text += row("tracks", fmt::format("{} on areas, {} on lines, {} on clean sand", square(r.track_on_fill),
+                                      square(r.track_on_line), square(r.track)));
     return text;
 }
 
@@ -82,8 +86,8 @@ std::string simulated(const formats::Simulated& found, bool all) {
                                 found.fidelity.places.size() - most_listed);
             break;
         }
-        text += fmt::format("  {:<16} {:.3f} m^2 at ({:.2f}, {:.2f})\n", fidelity::name_of(place.flaw),
-                            place.area, place.at.x, place.at.y);
+        text += fmt::format("  {:<16} {} at ({:.2f}, {:.2f})\n", fidelity::name_of(place.flaw),
+                            square(place.area, 3), place.at.x, place.at.y);
     }
     return text;
 }

@@ -36,6 +36,16 @@ std::string duration(double seconds) {
                          : fmt::format("{} min {:02} s", whole / 60, whole % 60);
 }
 
+std::string length(double metres) {
+    const bool small = metres > 0 && metres < 0.1;
+    return small ? fmt::format("{:.3g} mm", 1000 * metres) : fmt::format("{:.2f} m", metres);
+}
+
+std::string square(double area, int decimals) {
+    const bool small = area > 0 && area < 0.1;
+    return small ? fmt::format("{:.3g} cm^2", 1e4 * area) : fmt::format("{:.{}f} m^2", area, decimals);
+}
+
 std::string summary(const Plan& plan, const check::Report& report) {
     const Figures& f = plan.figures;
     std::string text;
@@ -80,10 +90,10 @@ std::string summary(const Plan& plan, const check::Report& report) {
                                  100 * report.coverage, 100 * report.overdraw, 100 * report.spill,
                                  counted(report.bare.size(), "bare place")));
     }
-    row("blemishes",
-        fmt::format("{} of finished lines; {:.2f} m over finished areas between strokes; {:.2f} m^2 of "
-                    "finished sand driven over in all",
-                    counted(report.crossings, "crossing"), report.over_finished, report.driven_over));
+    row("blemishes", fmt::format("{} of finished lines; {} over finished areas between strokes; {} of "
+                                 "finished sand driven over in all",
+                                 counted(report.crossings, "crossing"), length(report.over_finished),
+                                 square(report.driven_over)));
     row("corners", corners(f));
     row("tightest", plan.robot.min_radius > 0
                         ? fmt::format("{:.2f} 1/m rake up (limit {:.2f}), {:.2f} 1/m drawing", f.tightest_up,
@@ -106,10 +116,10 @@ std::string places(const Plan& plan, const check::Report& report, bool all) {
     std::string text;
     if (!all) return text;
     for (const Spot& spot : plan.bare)
-        text += fmt::format("bare as planned: {:.3g} m2 of {} at ({:.2f}, {:.2f})\n", spot.amount, spot.what,
+        text += fmt::format("bare as planned: {} of {} at ({:.2f}, {:.2f})\n", square(spot.amount), spot.what,
                             spot.at.x, spot.at.y);
     for (const check::Bare& bare : report.bare)
-        text += fmt::format("bare as driven: {:.3g} m2 of {} at ({:.2f}, {:.2f})\n", bare.area,
+        text += fmt::format("bare as driven: {} of {} at ({:.2f}, {:.2f})\n", square(bare.area),
                             plan.drawing.elements[static_cast<std::size_t>(bare.element)].id, bare.at.x,
                             bare.at.y);
     for (const Spot& spot : plan.blemishes)

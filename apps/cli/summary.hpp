@@ -26,6 +26,10 @@ std::string fidelity_rows(const fidelity::Report& report);
 std::string legibility_rows(const Drawing& drawing, const legibility::Report& report, bool all);
 /// The table a person reads after simulating; `all` lists the places of flaws.
 std::string simulated(const formats::Simulated& found, bool all);
+/// "1.25 m"; below 10 cm, as on paper, "12.5 mm".
+std::string length(double metres);
+/// "1.25 m^2"; below 0.1 m^2 "12.5 cm^2".
+std::string square(double area, int decimals = 2);
 /// "12 min 05 s"
 std::string duration(double seconds);
 

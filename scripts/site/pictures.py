@@ -1,5 +1,6 @@
-"""pictures.py PROGRAM [NAME ...]: makes docs/pictures anew, all or those named. Plans, sand and films are the program's own pictures; plots are drawn from the
-numbers that its stages and exports write. Not made here: editor-*.png (web/tests, with STRANDLINE_PICTURES), docs/fill (scripts/bench --only fill-pictures).
+"""pictures.py PROGRAM FOLDER [NAME ...]: makes the pictures of docs/pictures into FOLDER, all or those named, and says which are not as in docs/pictures.
+Plans, sand and films are the program's own pictures; plots are drawn from the numbers that its stages and exports write. Not made here: editor-*.png
+(web/tests, with STRANDLINE_PICTURES), docs/fill (scripts/bench --only fill-pictures).
 """
 import io, json, subprocess, sys, tempfile
 from pathlib import Path
@@ -284,12 +285,15 @@ NAMES = {"starfish": starfish, "starfish-sand": starfish_sand, "starfish-flaws":
          "letters": letters}
 
 
-def main(program, names):
+def main(program, into, names):
+    into.mkdir(parents=True, exist_ok=True)
     for name in names or NAMES:
         with tempfile.TemporaryDirectory() as folder:
             picture = NAMES[name](Studio(program, Path(folder)))
-        few(picture).save(PICTURES / f"{name}.png", optimize=True)
-        print(f"{name}.png {picture.width} x {picture.height}", file=sys.stderr)
+        kept, made = PICTURES / f"{name}.png", into / f"{name}.png"
+        before = kept.read_bytes() if kept.exists() else None
+        few(picture).save(made, optimize=True)
+        print(f"{name}.png {picture.width} x {picture.height}{'' if made.read_bytes() == before else ', not as in docs/pictures'}", file=sys.stderr)
 
 
-main(str(Path(sys.argv[1]).resolve()), sys.argv[2:])
+main(str(Path(sys.argv[1]).resolve()), Path(sys.argv[2]), sys.argv[3:])

@@ -39,6 +39,34 @@ TEST(Outputs, APipeIsWrittenToAsItIs) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST(Outputs, CheckRepeatsTheWarningsOfThePlan) {
+    const Folder folder;
+    write(folder / "in.svg", drawing);
+    const Result planned = run(folder, "plan in.svg -o plan.json --link b:0=c:0");
+    const std::string said = planned.err.substr(0, planned.err.find('\n') + 1);
+    EXPECT_EQ(said, "warning: link: node 0 of \"b\" is not in the drawing\n");
+    EXPECT_EQ(run(folder, "check plan.json").err, said);
+    EXPECT_EQ(run(folder, "-q check plan.json").err, "");
+}
+
+TEST(Outputs, AreasOfAPenOnPaperHaveFigures) {
+    const Folder folder;
+    write(folder / "in.svg", drawing);
+    ASSERT_EQ(run(folder, "-q plan in.svg --robot plotter --canvas A4 -o paper.json").exit, 0);
+    ASSERT_EQ(run(folder, "-q plan in.svg -o beach.json").exit, 0);
+    const std::string paper = run(folder, "simulate paper.json").out,
+                      beach = run(folder, "simulate beach.json").out;
+    EXPECT_NE(paper.find(" cm^2 not raked"), std::string::npos) << paper;
+    EXPECT_NE(paper.find("mm in the mean"), std::string::npos) << paper;
+    EXPECT_NE(beach.find(" cm in the mean"), std::string::npos) << beach;
+}
+
+TEST(Outputs, TheHelpNamesEveryRobot) {
+    const Folder folder;
+    EXPECT_NE(run(folder, "plan --help").out.find("beachbot, plotter, turf, diffdrive, sandtable, or"),
+              std::string::npos);
+}
+
 TEST(Outputs, OfAPairBothOrNone) {
     const Folder folder;
     write(folder / "in.svg", drawing);

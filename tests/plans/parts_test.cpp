@@ -4,7 +4,9 @@
 
 #include "check/valid_plan.hpp"
 #include "path/trajectory/trajectory.hpp"
+#include "plan/pipeline/pipeline.hpp"
 #include "result/check/check.hpp"
+#include "result/formats/formats.hpp"
 
 namespace strandline::parts {
 namespace {
@@ -80,6 +82,90 @@ TEST(Parts, CutsKeepTheLimitAndGoAfterWholeElements) {
     const std::vector<int> begins = cuts(plan, {.metres = 12});
     ASSERT_GE(begins.size(), 2u);
     EXPECT_EQ(begins[1], 2);
+}
+
+/// Four lines, each a stroke, with the robot parked and its exit as said.
+Plan parked_plan(bool parked, const std::string& exit) {
+    Options options;
+    options.park.exit = exit;
+    options.park.exit_x = 11;
+    if (parked) {
+        options.park.parked = true;
+        options.park.x = options.park.y = 1;
+        options.park.heading = 0.5;
+    }
+    const auto plan = make_plan({R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 60"
+        fill="none" stroke="black"><path id="a" d="M20 20H40"/><path id="b" d="M20 40H40"/>
+        <path id="c" d="M60 20H80"/><path id="d" d="M60 40H80"/></svg>)",
+                                 "lines.svg"},
+                                *builtin_robot("beachbot"), options, {});
+    EXPECT_TRUE(plan) << sentence(plan.error());
+    return *plan;
+}
+
+TEST(Parts, EveryPartOfAParkedPlanIsReadBackAndSound) {
+    for (const bool parked : {false, true})
+        for (const char* exit : {"none", "parked", "outside", "pose"}) {
+            if (!parked && exit == std::string("parked")) continue;
+            const Plan plan = parked_plan(parked, exit);
+            ASSERT_EQ(plan.strokes.size(), 4u);
+            for (int first = 0; first < 4; ++first)
+                for (int end = first + 1; end <= 4; ++end) {
+                    const Plan piece = part(plan, first, end);
+                    const auto where = ::testing::Message()
+                                       << parked << " " << exit << ": " << first << " to " << end;
+                    const auto back = formats::read_plan(formats::write_plan(piece), "part.json");
+                    ASSERT_TRUE(back) << where << ": " << sentence(back.error());
+                    EXPECT_EQ(*back, piece) << where;
+                    for (const check::Fault& fault : check::prove(*back).faults)
+                        ADD_FAILURE() << where << ": " << check::name_of(fault.law) << " " << fault.what;
+                    EXPECT_EQ(piece.options.park.parked, parked && first == 0) << where;
+                    EXPECT_EQ(piece.options.park.exit != "none", exit != std::string("none") && end == 4)
+                        << where;
+                    const bool way_in = first == 0 && parked,
+                               way_out = end == 4 && exit != std::string("none");
+                    EXPECT_EQ(piece.connections.size(),
+                              static_cast<std::size_t>(end - first - 1 + way_in + way_out));
+                    EXPECT_EQ(piece.figures.in_driven > 0, way_in) << where;
+                    EXPECT_EQ(piece.figures.out_driven > 0, way_out) << where;
+                }
+        }
+}
+
+TEST(Parts, TheFaultOfADriveThatEndsElsewhereSaysMetresOrRadians) {
+    const Plan plan = parked_plan(true, "none");
+    const auto fault_of = [](const Plan& wrong) {
+        for (const check::Fault& fault : check::prove(wrong).faults)
+            if (fault.law == check::Law::ends) return fault.what;
+        return std::string();
+    };
+    Plan beside = plan, turned = plan;
+    beside.options.park.x += 2;
+    turned.options.park.heading += 0.25;
+    EXPECT_EQ(fault_of(beside),
+              "the drive does not begin where the robot is parked (2.000 m off, allowed 0.001 m)");
+    EXPECT_EQ(fault_of(turned),
+              "the drive does not begin where the robot is parked (0.250 radians off, allowed 0.001)");
+}
+
+TEST(Parts, NoPartOfSeveralStrokesTakesLongerThanAsked) {
+    for (const char* exit : {"none", "parked"}) {
+        const Plan plan = parked_plan(true, exit);
+        const double whole = plan.samples.back().t;
+        for (double seconds = 5; seconds < whole + 10; seconds += 1.7) {
+            const std::vector<int> begins = cuts(plan, {.seconds = seconds});
+            EXPECT_EQ(begins.size() == 1, seconds >= whole);
+            for (std::size_t k = 0; k < begins.size(); ++k) {
+                const int end = k + 1 < begins.size() ? begins[k + 1] : 4;
+                EXPECT_TRUE(part(plan, begins[k], end).figures.time <= seconds || end == begins[k] + 1)
+                    << seconds << " s: " << begins[k] << " to " << end;
+                // And none is shorter than need be: its next stroke would not have fitted.
+                if (end < 4) {
+                    EXPECT_GT(part(plan, begins[k], end + 1).figures.time, seconds);
+                }
+            }
+        }
+    }
 }
 
 TEST(Parts, WhereToGoOnIsFoundByTimeElementAndPlace) {

@@ -35,6 +35,48 @@ std::size_t lead_of(const Plan& plan, std::size_t sample) {
     return sample;
 }
 
+/// The samples that a part holds, the last one included: the first part has the way from where the robot was
+/// parked too, the last one the way to the exit.
+struct Span {
+    std::size_t from, to;
+};
+Span span_of(const Plan& plan, const std::vector<Extent>& all, int first, int end) {
+    return {first == 0 ? 0 : lead_of(plan, all[static_cast<std::size_t>(first)].first),
+            end == static_cast<int>(plan.strokes.size()) ? plan.samples.size() - 1
+                                                         : all[static_cast<std::size_t>(end - 1)].end};
+}
+
+/// As they are in the whole, but that the last one draws no more.
+std::vector<Sample> samples_of(const Plan& plan, const Span& span) {
+    std::vector<Sample> samples(plan.samples.begin() + static_cast<std::ptrdiff_t>(span.from),
+                                plan.samples.begin() + static_cast<std::ptrdiff_t>(span.to + 1));
+    samples.back().mask = 0;
+    samples.back().stroke = -1;
+    samples.back().motion = Motion::connect;
+    return samples;
+}
+
+/// Only the first part begins where the robot was parked, only the last one ends at the exit.
+void keep_ends(Options::Park& park, bool is_first, bool is_last, double last_heading) {
+    const Options::Park whole = park;
+    if (!is_first)
+        park = {.exit = whole.exit,
+                .exit_x = whole.exit_x,
+                .exit_y = whole.exit_y,
+                .exit_heading = whole.exit_heading};
+    if (!is_last) {
+        park.exit = "none";
+        park.exit_x = park.exit_y = park.exit_heading = 0;
+    } else if (!is_first && whole.exit == "parked") {
+        // Where the robot was parked is of no other use to this part: it is a place like another.
+        const bool turned = std::abs(wrap_angle(last_heading - whole.heading)) > pi / 2;
+        park.exit = "pose";
+        park.exit_x = whole.x;
+        park.exit_y = whole.y;
+        park.exit_heading = turned ? wrap_angle(whole.heading + pi) : whole.heading;
+    }
+}
+
 /// The elements that the part's strokes draw, numbered anew; strokes follow.
 void keep_elements(Plan& part, const Plan& whole, int first, int end) {
     std::set<int> used;
@@ -123,26 +165,23 @@ Plan part(const Plan& plan, int first, int end) {
     slice(part.strokes);
     slice(part.order);
     for (Entry& entry : part.order) entry.stroke -= first;
-    std::erase_if(part.connections,
-                  [&](const PlannedConnection& c) { return c.from < first || c.to >= end; });
+    const int count = static_cast<int>(plan.strokes.size());
+    std::erase_if(part.connections, [&](const PlannedConnection& c) {
+        const bool begins = c.from < 0 ? first == 0 : c.from >= first;
+        const bool ends = c.to < 0 ? end == count : c.to < end;
+        return !begins || !ends;
+    });
     for (PlannedConnection& c : part.connections) {
-        c.from -= first;
-        c.to -= first;
+        if (c.from >= 0) c.from -= first;
+        if (c.to >= 0) c.to -= first;
     }
     std::erase_if(part.stops, [&](const Stop& stop) { return stop.stroke <= first || stop.stroke >= end; });
 
-    const std::size_t from = first == 0 ? 0 : lead_of(plan, all[static_cast<std::size_t>(first)].first);
-    const std::size_t to = end == static_cast<int>(plan.strokes.size())
-                               ? plan.samples.size() - 1
-                               : all[static_cast<std::size_t>(end - 1)].end;
-    part.samples.assign(plan.samples.begin() + static_cast<std::ptrdiff_t>(from),
-                        plan.samples.begin() + static_cast<std::ptrdiff_t>(to + 1));
+    const Span span = span_of(plan, all, first, end);
+    part.samples = samples_of(plan, span);
     for (Sample& sample : part.samples)
         if (sample.stroke >= 0) sample.stroke -= first;
-    Sample& last = part.samples.back();
-    last.mask = 0;
-    last.stroke = -1;
-    last.motion = Motion::connect;
+    keep_ends(part.options.park, first == 0, end == count, part.samples.back().pose.heading);
     const std::vector<Sample> before = part.samples;
     part.samples = trajectory::retimed(std::move(part.samples), plan.robot);
     for (Stop& stop : part.stops) {
@@ -153,15 +192,17 @@ Plan part(const Plan& plan, int first, int end) {
         stop.stroke -= first;
     }
     keep_elements(part, plan, first, end);
-    part.undrivable = near_to(plan.undrivable, plan.samples, from, to);
-    part.blemishes = near_to(plan.blemishes, plan.samples, from, to);
-    part.bare = near_to(plan.bare, plan.samples, from, to);
+    part.undrivable = near_to(plan.undrivable, plan.samples, span.from, span.to);
+    part.blemishes = near_to(plan.blemishes, plan.samples, span.from, span.to);
+    part.bare = near_to(plan.bare, plan.samples, span.from, span.to);
     Figures figures;
     figures.elements = static_cast<int>(part.drawing.elements.size());
     figures.regions = static_cast<int>(std::ranges::count_if(part.drawing.elements, is_region));
     figures.lines = figures.elements - figures.regions;
     figures.strokes = end - first;
     figures.reproducible = plan.figures.reproducible;
+    if (first == 0) figures.in_driven = plan.figures.in_driven;
+    if (end == count) figures.out_driven = plan.figures.out_driven;
     measure(figures, part.samples);
     part.figures = figures;
     return part;
@@ -173,11 +214,16 @@ std::vector<int> cuts(const Plan& plan, const Limit& limit) {
     for (std::size_t i = 1; i < plan.samples.size(); ++i)
         driven.push_back(driven.back() + distance(plan.samples[i - 1].pose.at, plan.samples[i].pose.at));
     const int count = static_cast<int>(plan.strokes.size());
-    const auto fits = [&](int first, int end) {
-        const std::size_t from = lead_of(plan, all[static_cast<std::size_t>(first)].first);
-        const std::size_t to = all[static_cast<std::size_t>(end - 1)].end;
+    // In the whole drive: no part takes less time by itself, it only begins and ends at rest besides.
+    const auto may_fit = [&](int first, int end) {
+        const auto [from, to] = span_of(plan, all, first, end);
         return (limit.seconds <= 0 || plan.samples[to].t - plan.samples[from].t <= limit.seconds) &&
                (limit.metres <= 0 || driven[to] - driven[from] <= limit.metres);
+    };
+    const auto fits = [&](int first, int end) {
+        return limit.seconds <= 0 ||
+               trajectory::retimed(samples_of(plan, span_of(plan, all, first, end)), plan.robot).back().t <=
+                   limit.seconds;
     };
     const auto whole_until = [&](int end) {
         return end == count || plan.strokes[static_cast<std::size_t>(end - 1)].element !=
@@ -186,12 +232,16 @@ std::vector<int> cuts(const Plan& plan, const Limit& limit) {
     std::vector<int> begins;
     for (int first = 0; first < count;) {
         begins.push_back(first);
-        int end = first + 1, whole = whole_until(end) && fits(first, end) ? end : 0;
-        for (int next = end + 1; next <= count && fits(first, next); ++next) {
-            end = next;
-            if (whole_until(next)) whole = next;
-        }
-        first = whole > 0 ? whole : end;
+        int last = first;
+        while (last < count && may_fit(first, last + 1)) ++last;
+        const auto longest = [&](bool whole) {
+            for (int end = last; end > first; --end)
+                if (whole_until(end) == whole && fits(first, end)) return end;
+            return first;
+        };
+        int end = longest(true);
+        if (end == first) end = longest(false);
+        first = std::max(end, first + 1);
     }
     return begins;
 }

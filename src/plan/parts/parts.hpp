@@ -22,12 +22,14 @@ Outcome<void> can_be_cut(const Plan& plan);
 /// it draws in part is named in a warning. 0 <= first < end <= strokes.
 Plan part(const Plan& plan, int first, int end);
 
-/// How much one part may be: seconds, or metres driven.
+/// How much one part may be: seconds from rest to rest as part() times it, or metres driven with the rake up
+/// or down, the ways in and out included.
 struct Limit {
     double seconds = 0, metres = 0;  ///< 0: no limit
 };
 /// Where each part begins: the first is 0. A cut comes after a whole element where one fits, else at the end
-/// of a stroke; a single stroke may be longer than the limit. O(samples).
+/// of a stroke; a single stroke may be longer than the limit. O(samples) a part, times the ends that are
+/// tried until the part keeps the limit: few.
 std::vector<int> cuts(const Plan& plan, const Limit& limit);
 
 /// Where to go on: seconds after the start, an element by its id, or near a place.

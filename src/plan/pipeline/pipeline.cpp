@@ -82,7 +82,7 @@ order::Options pipeline::order_options(const Options& options, const Robot& robo
     o.min_gap = options.connect.min_length;
     // Without wheels nothing is spoilt.
     o.avoid.on = options.avoid.finished && !robot.wheels.empty() && robot.min_radius > 0;
-    o.avoid.clearance = options.avoid.clearance < 0 ? wheel_reach(robot) : options.avoid.clearance;
+    o.avoid.clearance = pipeline::clearance_of(options, robot);
     o.avoid.radius = std::min(least_radius(robot, 1), least_radius(robot, -1));
     o.avoid.crossing_cost = options.avoid.crossing_cost;
     o.avoid.area_cost = options.avoid.area_cost;

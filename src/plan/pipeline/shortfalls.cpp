@@ -7,6 +7,7 @@
 
 #include "base/text/text.hpp"
 #include "plan/pipeline/hints.hpp"
+#include "plan/pipeline/surroundings.hpp"
 
 namespace strandline::pipeline {
 namespace {
@@ -18,10 +19,10 @@ void say_undrivable(Plan& plan) {
     const Spot& longest = *std::ranges::max_element(plan.undrivable, {}, &Spot::amount);
     plan.warnings.push_back(
         {"the drive",
-         fmt::format(
-             "the rake cannot follow its path along {}, {:.2f} m together, the longest {:.2f} m near "
-             "({:.2f}, {:.2f}): it is lifted there in areas and beside its place on lines",
-             counted(plan.undrivable.size(), "span"), sum, longest.amount, longest.at.x, longest.at.y)});
+         fmt::format("the rake cannot follow its path along {}, {:.2f} m together, the longest {:.2f} m near "
+                     "({:.2f}, {:.2f}): it is lifted there in areas and beside its place on lines",
+                     counted(plan.undrivable.size(), "span"), sum, longest.amount, longest.at.x,
+                     longest.at.y)});
 }
 
 void say_blemishes(Plan& plan) {
@@ -37,9 +38,12 @@ void say_blemishes(Plan& plan) {
     if (longest == nullptr) return;
     plan.warnings.push_back(
         {"avoid.finished",
-         fmt::format("at {} no way round finished areas was found: {:.2f} m are driven too near to or "
-                     "over them, the longest {:.2f} m near ({:.2f}, {:.2f})",
-                     counted(places, "place"), sum, longest->amount, longest->at.x, longest->at.y)});
+         fmt::format(
+             "at {} no way round finished areas was found: {:.2f} m are driven nearer to them than "
+             "{:.2f} m (avoid.clearance), the longest {:.2f} m near ({:.2f}, {:.2f}); check says how much of "
+             "it goes over them",
+             counted(places, "place"), sum, clearance_of(plan.options, plan.robot), longest->amount,
+             longest->at.x, longest->at.y)});
 }
 
 bool in_one_stroke(const Plan& plan, int stroke) {

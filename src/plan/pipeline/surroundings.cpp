@@ -130,6 +130,10 @@ Outcome<void> valid_surroundings(const Options& options) {
     return {};
 }
 
+double clearance_of(const Options& options, const Robot& robot) {
+    return options.avoid.clearance < 0 ? wheel_reach(robot) : options.avoid.clearance;
+}
+
 void add_surroundings(order::Job& job, const Drawing& drawing, const Options& options, const Robot& robot) {
     const DriveArea area = drive_area_of(drawing, options, robot);
     const auto whole = [](const std::vector<Region>& regions) {

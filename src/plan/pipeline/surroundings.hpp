@@ -7,6 +7,8 @@ namespace strandline::pipeline {
 
 /// Whether there is a place to go back to, where that is asked for.
 Outcome<void> valid_surroundings(const Options& options);
+/// Metres that the turning point keeps from finished areas.
+double clearance_of(const Options& options, const Robot& robot);
 /// Fills the job's field, keep_out, parked and exits.
 void add_surroundings(order::Job& job, const Drawing& drawing, const Options& options, const Robot& robot);
 /// Whether the footprint stays where it must with all of these samples.

@@ -86,22 +86,29 @@ void check_ends(const Plan& plan, Faults& faults) {
     const strandline::Options::Park& park = plan.options.park;
     const Pose parked{{park.x, park.y}, park.heading};
     const Sample &first = plan.samples.front(), &last = plan.samples.back();
-    const auto off = [](const Pose& is, const Pose& should) {
-        const double metres = distance(is.at, should.at),
-                     angle = std::abs(wrap_angle(is.heading - should.heading));
-        return metres > place_tolerance || angle > heading_tolerance ? std::max(metres, angle) : 0;
+    struct Off {
+        double metres, angle;
+        double excess() const {
+            return metres > place_tolerance || angle > heading_tolerance ? std::max(metres, angle) : 0;
+        }
     };
-    const auto fault = [&](double excess, const Sample& s, const char* what) {
-        if (excess <= 0) return;
-        faults.add(excess, {Law::ends,
-                            fmt::format("the drive {} ({:.3f} m or rad off, allowed {:.3f})", what, excess,
-                                        place_tolerance),
-                            s.pose.at, static_cast<int>(&s - plan.samples.data()), s.stroke, -1});
+    const auto off = [](const Pose& is, const Pose& should) {
+        return Off{distance(is.at, should.at), std::abs(wrap_angle(is.heading - should.heading))};
+    };
+    const auto fault = [&](const Off& by, const Sample& s, const char* what) {
+        if (by.excess() <= 0) return;
+        const std::string amount =
+            by.metres > place_tolerance
+                ? fmt::format("{:.3f} m off, allowed {:.3f} m", by.metres, place_tolerance)
+                : fmt::format("{:.3f} radians off, allowed {:.3f}", by.angle, heading_tolerance);
+        faults.add(by.excess(), {Law::ends, fmt::format("the drive {} ({})", what, amount), s.pose.at,
+                                 static_cast<int>(&s - plan.samples.data()), s.stroke, -1});
     };
     if (park.parked) fault(off(first.pose, parked), first, "does not begin where the robot is parked");
     if (park.exit == "parked")
-        fault(std::min(off(last.pose, parked), off(last.pose, Pose{parked.at, parked.heading + pi})), last,
-              "does not end where the robot was parked");
+        fault(std::ranges::min(off(last.pose, parked), off(last.pose, Pose{parked.at, parked.heading + pi}),
+                               {}, &Off::excess),
+              last, "does not end where the robot was parked");
     if (park.exit == "pose")
         fault(off(last.pose, Pose{{park.exit_x, park.exit_y}, park.exit_heading}), last,
               "does not end at the exit");
@@ -110,7 +117,7 @@ void check_ends(const Plan& plan, Faults& faults) {
         for (const Element& element : plan.drawing.elements) box = united(box, bounds(element));
         const Point p = last.pose.at;
         const double out = std::max({box.low.x - p.x, p.x - box.high.x, box.low.y - p.y, p.y - box.high.y});
-        fault(footprint_reach(plan.robot) - out, last, "does not end outside the drawing");
+        fault(Off{footprint_reach(plan.robot) - out, 0}, last, "does not end outside the drawing");
     }
 }
 
