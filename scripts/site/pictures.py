@@ -214,9 +214,9 @@ def legibility(s):
 
 def parts(s):
     s.plan("crab.svg")
-    s.run("split", "plan.json", "--every", "14min", "-o", "part.json")
+    s.run("split", "plan.json", "--every", "16min", "-o", "part.json")
     pictures = []
-    for part in sorted(s.folder.glob("part-*.json"))[:2]:
+    for part in sorted(s.folder.glob("part-*.json")):
         s.run("render", part, "-o", "part.png", "--pixels", 560)
         pictures.append(s.read("part.png"))
     return beside(*pictures)
