@@ -181,7 +181,7 @@ Outcome<Robot> read_robot(std::string_view source, const std::string& place) {
     if (!robot) {
         Error error = robot.error();
         error.place = place_of(place, *table.get("base"), "base");
-        error.remedy = "use beachbot, plotter, turf or diffdrive";
+        error.remedy = fmt::format("use one of {}", fmt::join(builtin_robots(), ", "));
         return tl::unexpected(std::move(error));
     }
     for (const auto& [key, node] : table)
