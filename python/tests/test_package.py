@@ -129,6 +129,15 @@ def blocks(page):
 
 
 @pytest.mark.filterwarnings("ignore::strandline.StrandlineWarning")
+def test_the_code_of_the_readme_runs(monkeypatch):
+    monkeypatch.chdir(ROOT)
+    found = list(blocks("README.md"))
+    assert found
+    for line, code in found:
+        exec(compile("\n" * line + code, "README.md", "exec"), {})
+
+
+@pytest.mark.filterwarnings("ignore::strandline.StrandlineWarning")
 def test_the_code_of_the_page_runs(tmp_path, monkeypatch, drawings):
     monkeypatch.chdir(tmp_path)
     for name in ("lighthouse.svg", "sailboat.svg"):
