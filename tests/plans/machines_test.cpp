@@ -99,6 +99,27 @@ TEST(Machines, LinesOfAnEvenNumberOfPinsLieInTheMiddleOfTheirPins) {
     EXPECT_TRUE(says(planned(robot))) << "it cannot be driven beside its path";
 }
 
+TEST(Machines, AFillThatTurnsOnTheSpotAfterATightBendIsSound) {
+    constexpr const char* blob =
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
+  <path d="M10 30 C30 0 40 60 60 20 S95 30 90 60 S60 70 50 95 S20 80 25 60 S5 50 10 30Z"/></svg>)";
+    Options options;
+    ASSERT_TRUE(set(options, "canvas.width", "0.4m") && set(options, "canvas.height", "0.4m"));
+    ASSERT_TRUE(set(options, "canvas.margin", "0.014285714285714287"));
+    auto plan = make_plan({blob, "blob.svg"}, *builtin_robot("diffdrive"), options, {});
+    ASSERT_TRUE(plan) << sentence(plan.error());
+    const auto report = check::prove(*plan);
+    EXPECT_TRUE(report.sound()) << (report.sound() ? "" : report.faults.front().what);
+    // A heading that is wrong there is named all the same.
+    const auto pivot = std::ranges::adjacent_find(plan->samples, [](const Sample& a, const Sample& b) {
+        return a.motion == Motion::draw && b.motion == Motion::pivot;
+    });
+    ASSERT_NE(pivot, plan->samples.end());
+    Sample& stands = *(pivot + 1);
+    stands.pose.heading += 0.2;
+    EXPECT_FALSE(check::prove(*plan).sound());
+}
+
 TEST(Machines, TheSetbackIsKeptFromABorderThatWasAskedFor) {
     Robot robot = *builtin_robot("beachbot");
     const std::vector<std::pair<std::string, std::string>> border{{"field.border", "0,0 14,0 14,14 0,14"}};
