@@ -75,6 +75,17 @@ TEST(Machines, ARobotThatBacksUpComesSoonerAndIsNotMistakenForOneThatDoesNot) {
     mistaken.robot.can_back_up = false;
     EXPECT_FALSE(check::prove(mistaken).sound());
     EXPECT_TRUE(tracking::driven(mistaken.robot, plan->samples, exact).lost) << "it waits for ever";
+    mistaken = *plan;
+    mistaken.robot.lifts = false;
+    for (Sample& sample : mistaken.samples) sample.mask = pin_mask(robot, robot.pins);
+    const auto pushed = check::prove(mistaken).faults;
+    EXPECT_TRUE(std::ranges::any_of(pushed, [](const check::Fault& fault) {
+        return fault.what.find("none with the rake down") != std::string::npos;
+    }));
+    robot.lifts = false;
+    const auto dragged = make_plan({zigzag, "lines.svg"}, robot, options, {});
+    ASSERT_TRUE(dragged);
+    EXPECT_TRUE(std::ranges::none_of(dragged->samples, [](const Sample& s) { return s.speed < 0; }));
 }
 
 TEST(Machines, LinesOfAnEvenNumberOfPinsLieInTheMiddleOfTheirPins) {

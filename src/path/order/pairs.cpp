@@ -121,7 +121,8 @@ double Pairs::turned_straight(Pose from, Pose to) const {
 
 std::optional<Curve> Pairs::backed_guess(Pose from, Pose to, double below) const {
     if (!options_.connect.back_up) return std::nullopt;
-    return backing_guess(from, to, wider * robot_.min_radius, options_.connect.stand_cost, below);
+    const double radius = std::max(least_radius(robot_, 1), least_radius(robot_, -1));
+    return backing_guess(from, to, wider * radius, options_.connect.stand_cost, below);
 }
 
 Passage Pairs::passage(double length, const Curve& curve, const Rates& rates, int left) const {

@@ -90,7 +90,7 @@ class Pieces::Timed {
             }
             for (std::size_t i = 0; i + 1 < go.part.states.size(); ++i, ++at) {
                 const double here = std::sqrt(speeds_[at]), next = std::sqrt(speeds_[at + 1]);
-                add(*go.part.leg, go.part.states[i], go.part.back ? -here : here);
+                add(*go.part.leg, go.part.states[i], signed_speed(here, go.part.back));
                 t += 2 * intervals_[at].length / (here + next);
             }
         }
@@ -98,7 +98,7 @@ class Pieces::Timed {
         const Leg& last = *goes_.back().part.leg;
         const double leaves = last.motion == Motion::pivot ? 0 : std::sqrt(speeds_.back());
         piece->end = sample_at(robot, goes_.back().part.states.back(), t, Motion::connect, -1, 0,
-                               goes_.back().part.back ? -leaves : leaves);
+                               signed_speed(leaves, goes_.back().part.back));
         piece_ = std::move(piece);
         return piece_;
     }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "path/trajectory/speeds.hpp"
+#include "path/trajectory/timer.hpp"
 #include "path/trajectory/trajectory.hpp"
 
 namespace strandline::trajectory {
@@ -50,7 +51,7 @@ std::vector<Sample> retimed(std::vector<Sample> samples, const Robot& robot) {
         for (std::size_t k = 0; k + 1 < speed.size(); ++k) {
             Sample& sample = samples[first + k];
             sample.t = t;
-            sample.speed = back ? -speed[k] : speed[k];
+            sample.speed = signed_speed(speed[k], back);
             sample.turn_rate = sample.speed * sample.curvature;
             t += 2 * (run.s[k + 1] - run.s[k]) / (speed[k] + speed[k + 1]);
         }

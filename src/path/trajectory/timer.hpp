@@ -18,7 +18,10 @@ struct Part {
 };
 /// Whether the robot must stand, its wheels to be turned, between one part and the next.
 bool stands_between(const Part& last, const Part& next);
-/// Cuts a leg where its curvature jumps or it turns back. The states next to a jump carry the curvature of their own side.
+/// Of a sample: below 0 where the robot backs up, and 0, not -0, where it stands.
+inline double signed_speed(double speed, bool back) { return back && speed > 0 ? -speed : speed; }
+/// Cuts a leg where its curvature jumps or it turns back. The states next to a jump carry the curvature of
+/// their own side.
 std::vector<Part> parts_of(const Leg& leg, double step);
 
 /// Turning on the spot takes a trapezoid of turn rate; the samples are spaced in angle. `t` becomes its end.

@@ -46,13 +46,28 @@ int parts_in(double metres, double step) {
     return std::max(2, static_cast<int>(std::ceil(metres / step - 1e-9)));
 }
 
-/// Along one section of a leg's curve. Its tightest bend sets the step: between samples farther apart it
-/// would be tighter than both say, and driven too fast.
+/// Along one section of a leg's curve. Where it has tight bends each piece is sampled as finely as it turns:
+/// between samples farther apart a bend would be tighter than both say, and driven too fast.
 std::vector<RobotState> evenly(const Curve& section, double step) {
     std::vector<RobotState> states;
-    step = std::min(step, most_turn / std::max(max_curvature(section), most_turn / step));
-    for (const CurvePoint& p : sampled(section, step, parts_in(length(section), step) + 1))
-        states.push_back({p.s, p.pose, p.curvature});
+    const auto sample = [&](const Curve& part, double s0, double spacing) {
+        for (const CurvePoint& p : sampled(part, spacing, parts_in(length(part), spacing) + 1))
+            if (states.empty() || p.s > 0) states.push_back({s0 + p.s, p.pose, p.curvature});
+    };
+    if (max_curvature(section) * step <= most_turn) {
+        sample(section, 0, step);
+        return states;
+    }
+    Curve piece{section.start, {{}}};
+    double s = 0;
+    for (const Clothoid& each : section.pieces) {
+        if (each.length == 0) continue;
+        piece.pieces.front() = each;
+        const double bend = max_curvature(piece);
+        sample(piece, s, bend * step > most_turn ? most_turn / bend : step);
+        piece.start = end_pose(piece);
+        s += std::abs(each.length);
+    }
     return states;
 }
 
@@ -221,7 +236,7 @@ class Timer {
         for (const Part& part : run_) {
             for (std::size_t i = 0; i + 1 < part.states.size(); ++i, ++at) {
                 samples_.push_back(sample_at(part.states[i], part.leg->motion, part.leg->stroke,
-                                             part.back ? -speed[at] : speed[at]));
+                                             signed_speed(speed[at], part.back)));
                 t_ += 2 * (run.s[at + 1] - run.s[at]) / (speed[at] + speed[at + 1]);
             }
         }

@@ -73,7 +73,8 @@ order::Options pipeline::order_options(const Options& options, const Robot& robo
     o.connect.extra_length = options.connect.extra_length;
     o.connect.limits = connect::limits_of(robot);
     o.connect.pivot = robot.can_pivot;
-    o.connect.back_up = o.drive.back_up = robot.can_back_up;
+    // A rake that stays down would be pushed.
+    o.connect.back_up = o.drive.back_up = robot.can_back_up && (robot.lifts || robot.rake_offset == 0);
     // A turn by a takes a / w + w / alpha, and the robot stops for it: v / acceleration more than driving on.
     const double v = robot.travel_speed;
     o.connect.turn_cost = v / robot.turn_rate;

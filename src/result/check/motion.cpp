@@ -87,10 +87,11 @@ class Judge {
         const bool down =
             (!last && s.motion == Motion::draw) || (before != nullptr && before->motion == Motion::draw);
         const double limit = down ? robot_.speed : robot_.travel_speed;
-        if (s.speed < 0 && (down || !robot_.can_back_up))
+        const bool pushed = s.speed < 0 && (down || (s.mask != 0 && robot_.rake_offset > 0));
+        if (s.speed < 0 && (pushed || !robot_.can_back_up))
             fault(Law::speed, -s.speed, s,
                   fmt::format("backs up at {:.3f} m/s, allowed {}", -s.speed,
-                              down ? "none with the rake down" : "none: the robot cannot"));
+                              pushed ? "none with the rake down" : "none: the robot cannot"));
         if (std::abs(s.speed) > limit * (1 + share))
             fault(Law::speed, std::abs(s.speed), s,
                   fmt::format("speed {:.3f} m/s, allowed {:.3f} m/s", std::abs(s.speed), limit));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text/text.hpp"
 #include "result/exports/spans.hpp"
 #include "result/formats/formats.hpp"
 
@@ -27,10 +28,10 @@ std::vector<Format> make_table() {
              formats::BeachbotPair pair = formats::write_beachbot(plan);
              Warnings lost;
              if (const int times = times_backing(plan.samples); times > 0 && plan.robot.rake_offset == 0)
-                 lost.push_back(
-                     {"beachbot", fmt::format("the robot backs up {} times, and a pair whose tool is at the "
-                                              "turning point cannot say so: a reader turns it about there",
-                                              times)});
+                 lost.push_back({"beachbot",
+                                 fmt::format("the robot backs up {}, and a pair whose tool is at the turning "
+                                             "point cannot say so: a reader turns it about there",
+                                             counted(times, "time"))});
              return Written{{{"_robot.txt", std::move(pair.robot)}, {"_rake.txt", std::move(pair.rake)}},
                             std::move(lost)};
          }},

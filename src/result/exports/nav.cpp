@@ -88,10 +88,10 @@ Warnings lost(const Plan& plan) {
     if (plan.samples.empty()) return {{"plan", "nothing is driven: the path has no poses"}};
     const int times = times_backing(plan.samples);
     if (times == 0) return {};
-    return {{"nav",
-             fmt::format("the robot backs up at {} cusps, where the poses keep looking ahead: the controller "
-                         "must follow them (Regulated Pure Pursuit: allow_reversing)",
-                         times)}};
+    return {
+        {"nav", fmt::format("the robot backs up {}, and its poses keep looking ahead: the controller must "
+                            "follow cusps (Regulated Pure Pursuit: allow_reversing)",
+                            counted(times, "time"))}};
 }
 
 }  // namespace
