@@ -8,7 +8,13 @@
 namespace strandline::exports {
 
 /// MAV_CMD numbers (mavlink.io, common message set).
-enum class Command { waypoint = 16, loiter_unlimited = 17, change_speed = 178, set_servo = 183, set_reverse = 194 };
+enum class Command {
+    waypoint = 16,
+    loiter_unlimited = 17,
+    change_speed = 178,
+    set_servo = 183,
+    set_reverse = 194
+};
 /// MAV_FRAME: what a command without a place has, and heights above home.
 inline constexpr int frame_mission = 2, frame_relative = 3;
 /// Autopilots keep whole numbers of 1e-7 degrees.
