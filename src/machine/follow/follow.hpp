@@ -21,9 +21,8 @@ struct RobotState {
     bool operator==(const RobotState&) const = default;
 };
 /// States in order, s not decreasing. Between two states curvature is taken as linear in s. Two states with
-/// the same s are a jump: of curvature or of sense (same pose), so that the robot stops there; of heading too
-/// where it turns on the spot. Between states that lie behind each other's noses it backs up. Headings are
-/// not wrapped: neighbours differ by the angle really turned.
+/// the same s are a jump: of curvature or sense (same pose): the robot stops there; of heading too where it
+/// turns on the spot. Headings are not wrapped. A state that lies behind the one before it is backed up to.
 using RobotPath = std::vector<RobotState>;
 
 Point rake_at(const Robot& robot, Pose robot_pose);
